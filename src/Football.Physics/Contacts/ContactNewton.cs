@@ -20,10 +20,7 @@ internal static class ContactNewton
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
-        // Per unit mass: a tangential impulse changes the spin by 1/(α r) times the impulse, and the slip by (1 + α)/α times the impulse.
         double r = ball.Radius;
-        double perTurn = 1.0 / (ball.InertiaFactor * r);
-        double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
         Span<int> pressing = stackalloc int[Most];
         int contacts = Pressing(set, duration, in v, resistance.Bearer, pressing, out int bearer);
         if (contacts > Most)
@@ -38,23 +35,7 @@ internal static class ContactNewton
         // Set up one row per unknown: its residual, and its derivatives with respect to v and ω.
         for (int i = 0; i < contacts; i++)
         {
-            ref readonly Contact contact = ref set[pressing[i]];
-            Vector3d n = contact.Normal;
-            Vector3d t1 = Tangent(in n);
-            Vector3d t2 = Vector3d.Cross(in n, in t1);
-
-            // A loaded contact must stop closing. The load of any other contact must be zero.
-            double closing = ContactSolver.Closing(in contact, duration, in v);
-            bool bears = contact.Load - closing > 0;
-            rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
-
-            // The slip s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
-            Vector3d relative = v - contact.Velocity;
-            Couple(
-                rows.Slice((3 * i) + 1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
-                new Slipping(Vector3d.Dot(in relative, in t1) - (r * Vector3d.Dot(in w, in t2)), Vector3d.Dot(in relative, in t2) + (r * Vector3d.Dot(in w, in t1))),
-                new Slipping(Vector3d.Dot(in contact.Friction, in t1), Vector3d.Dot(in contact.Friction, in t2)),
-                grip, bears ? contact.Material.SlidingFriction : 0, contact.Load, 3 * i);
+            SetRows(rows.Slice(3 * i, 3), in set[pressing[i]], ball, duration, in v, in w, 3 * i);
         }
 
         if (bearer >= 0)
@@ -106,6 +87,31 @@ internal static class ContactNewton
                 resistance.Drilling += change;
             }
         }
+    }
+
+    /// <summary>Sets the rows of a contact: its load, and its friction in two directions.</summary>
+    private static void SetRows(Span<Row> rows, in Contact contact, BallProperties ball, double duration, in Vector3d v, in Vector3d w, int loadRow)
+    {
+        // Per unit mass: a tangential impulse changes the spin by 1/(α r) times the impulse, and the slip by (1 + α)/α times the impulse.
+        double r = ball.Radius;
+        double perTurn = 1.0 / (ball.InertiaFactor * r);
+        double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
+        Vector3d n = contact.Normal;
+        Vector3d t1 = Tangent(in n);
+        Vector3d t2 = Vector3d.Cross(in n, in t1);
+
+        // A loaded contact must stop closing. The load of any other contact must be zero.
+        double closing = ContactSolver.Closing(in contact, duration, in v);
+        bool bears = contact.Load - closing > 0;
+        rows[0] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
+
+        // The slip s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
+        Vector3d relative = v - contact.Velocity;
+        Couple(
+            rows.Slice(1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
+            new Slipping(Vector3d.Dot(in relative, in t1) - (r * Vector3d.Dot(in w, in t2)), Vector3d.Dot(in relative, in t2) + (r * Vector3d.Dot(in w, in t1))),
+            new Slipping(Vector3d.Dot(in contact.Friction, in t1), Vector3d.Dot(in contact.Friction, in t2)),
+            grip, bears ? contact.Material.SlidingFriction : 0, contact.Load, loadRow);
     }
 
     /// <summary>Finds the contacts that have impulses or are about to get them. No other contact has an impulse after the step.</summary>

@@ -69,53 +69,19 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // Evaluate the integrator's stages; each starts from the initial state, with the rates of the previous stage.
-        LineRates first = line.Rates;
-        LineRates rates = first;
-        double speed;
-        double about;
-        double way;
-        double endSpeed;
-        double endAbout;
-        double half = 0.5 * dt;
-        double secondSpeed = line.Speed + (half * first.Along);
-        double secondAbout = line.About + (half * first.About);
-        RatesAt(in s, in forces, half, half * line.Speed, secondSpeed, secondAbout, out LineRates second);
-        if (_order == 4)
-        {
-            double thirdSpeed = line.Speed + (half * second.Along);
-            double thirdAbout = line.About + (half * second.About);
-            RatesAt(in s, in forces, half, half * secondSpeed, thirdSpeed, thirdAbout, out LineRates third);
-            speed = line.Speed + (dt * third.Along);
-            about = line.About + (dt * third.About);
-            RatesAt(in s, in forces, dt, dt * thirdSpeed, speed, about, out rates);
-            way = ClassicalRungeKutta.Sum(dt, line.Speed, secondSpeed, thirdSpeed, speed);
-            endSpeed = line.Speed + ClassicalRungeKutta.Sum(dt, first.Along, second.Along, third.Along, rates.Along);
-            endAbout = line.About + ClassicalRungeKutta.Sum(dt, first.About, second.About, third.About, rates.About);
-            secondSpeed = 0.5 * (secondSpeed + thirdSpeed);
-            secondAbout = 0.5 * (secondAbout + thirdAbout);
-        }
-        else
-        {
-            rates = second;
-            speed = secondSpeed;
-            about = secondAbout;
-            way = dt * speed;
-            endSpeed = line.Speed + (dt * second.Along);
-            endAbout = line.About + (dt * second.About);
-        }
+        Integrate(in s, in forces, in line, dt, out LineEnd step);
 
         // Reject the step if a load, friction cone, slip, roll or spin may end, the ball may rest, or the carrier or material may change. The last
         // stage is at the end (RK4) or in the middle (RK2) of the step.
         double share = _order == 4 ? Clear : 0.5 * (1.0 + Clear);
-        if (!rates.Keeps(in first, share) || !line.Keeps(in forces, speed, about, share) || !(Math.Abs(way) <= room) || !IsCarried(in line, in rates)
-            || (line.ComparesLoads && !(HeavierBy(in rates) > share * HeavierBy(in first)))
-            || !(Energy(in forces, speed, about) - _world.RestEnergy > share * (line.Energy - _world.RestEnergy)))
+        if (!step.Rates.Keeps(in line.Rates, share) || !line.Keeps(in forces, step.Speed, step.About, share) || !(Math.Abs(step.Way) <= room) || !IsCarried(in line, in step.Rates)
+            || (line.ComparesLoads && !(HeavierBy(in step.Rates) > share * HeavierBy(in line.Rates)))
+            || !(Energy(in forces, step.Speed, step.About) - _world.RestEnergy > share * (line.Energy - _world.RestEnergy)))
         {
             return false;
         }
 
-        Vector3d position = forces.Pinned ? s.Position : s.Position + (way * forces.Along);
+        Vector3d position = forces.Pinned ? s.Position : s.Position + (step.Way * forces.Along);
         for (int i = 0; i < count && !forces.Pinned; i++)
         {
             if (!Touched.KeepsSurface(_world, in set[i], in s, in position))
@@ -127,19 +93,52 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         // There is no event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
-        Vector3d middleSpin = SpinOf(in forces, secondSpeed, secondAbout);
-        Vector3d endSpin = SpinOf(in forces, endSpeed, endAbout);
+        Vector3d middleSpin = SpinOf(in forces, step.MiddleSpeed, step.MiddleAbout);
+        Vector3d endSpin = SpinOf(in forces, step.EndSpeed, step.EndAbout);
         Vector3d turn = _order == 4 ? RotationVector.Of(SpinOf(in forces, line.Speed, line.About), in middleSpin, in endSpin, dt) : dt * middleSpin;
         if (log.IsWatched)
         {
             BallState before = s;
-            Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
-            Show(log, in before, in s, in forces, in first, way, endSpeed, endAbout);
+            Touched.Move(ref s, in position, step.EndSpeed * forces.Along, in endSpin, in turn, end);
+            Show(log, in before, in s, in forces, in line.Rates, step.Way, step.EndSpeed, step.EndAbout);
             return true;
         }
 
-        Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
+        Touched.Move(ref s, in position, step.EndSpeed * forces.Along, in endSpin, in turn, end);
         return true;
+    }
+
+    /// <summary>Evaluates the integrator's stages; each starts from the initial state, with the rates of the previous stage.</summary>
+    private void Integrate(in BallState s, in LineForces forces, in Line line, double dt, out LineEnd step)
+    {
+        LineRates first = line.Rates;
+        double half = 0.5 * dt;
+        step.MiddleSpeed = line.Speed + (half * first.Along);
+        step.MiddleAbout = line.About + (half * first.About);
+        RatesAt(in s, in forces, half, half * line.Speed, step.MiddleSpeed, step.MiddleAbout, out LineRates second);
+        if (_order == 4)
+        {
+            double thirdSpeed = line.Speed + (half * second.Along);
+            double thirdAbout = line.About + (half * second.About);
+            RatesAt(in s, in forces, half, half * step.MiddleSpeed, thirdSpeed, thirdAbout, out LineRates third);
+            step.Speed = line.Speed + (dt * third.Along);
+            step.About = line.About + (dt * third.About);
+            RatesAt(in s, in forces, dt, dt * thirdSpeed, step.Speed, step.About, out step.Rates);
+            step.Way = ClassicalRungeKutta.Sum(dt, line.Speed, step.MiddleSpeed, thirdSpeed, step.Speed);
+            step.EndSpeed = line.Speed + ClassicalRungeKutta.Sum(dt, first.Along, second.Along, third.Along, step.Rates.Along);
+            step.EndAbout = line.About + ClassicalRungeKutta.Sum(dt, first.About, second.About, third.About, step.Rates.About);
+            step.MiddleSpeed = 0.5 * (step.MiddleSpeed + thirdSpeed);
+            step.MiddleAbout = 0.5 * (step.MiddleAbout + thirdAbout);
+        }
+        else
+        {
+            step.Rates = second;
+            step.Speed = step.MiddleSpeed;
+            step.About = step.MiddleAbout;
+            step.Way = dt * step.Speed;
+            step.EndSpeed = line.Speed + (dt * second.Along);
+            step.EndAbout = line.About + (dt * second.About);
+        }
     }
 
     /// <summary>Reports the step to the observers.</summary>
@@ -392,5 +391,20 @@ internal sealed unsafe class LineStep<TAir> : LineStep
                 && (forces.Pinned || speed / Speed > share)
                 && (forces.SpinSign == 0 || !forces.Drills || forces.AboutNormal(speed, about) / forces.AboutNormal(Speed, About) > share);
         }
+    }
+
+    /// <summary>The end of a step: its length, and the motion at the middle, at the last stage and at the end.</summary>
+    private struct LineEnd
+    {
+        public double Way;
+        public double MiddleSpeed;
+        public double MiddleAbout;
+
+        /// <summary>The last stage.</summary>
+        public double Speed;
+        public double About;
+        public LineRates Rates;
+        public double EndSpeed;
+        public double EndAbout;
     }
 }

@@ -209,29 +209,32 @@ internal sealed partial class BallCluster
             }
         }
 
-        // There is no further event: move all balls to the end of the step, or to the event that ended it.
-        for (int k = 0; k < _clusterCount; k++)
+        // There is no further event.
+        EndAll(states, ended, ended ? last : end);
+        return ended;
+    }
+
+    /// <summary>Moves all balls to the end of the step, or to the event that ended it.</summary>
+    private void EndAll(BallState[] states, bool ended, double time)
+    {
+        foreach (int i in _cluster.AsSpan(0, _clusterCount))
         {
-            int i = _cluster[k];
-            if (!_piles.Has(i) && (!ended || states[i].Time < last))
+            if (!_piles.Has(i) && (!ended || states[i].Time < time))
             {
-                Commit(states, i, ended ? last : end);
+                Commit(states, i, time);
             }
         }
 
         for (int k = 0; k < _piles.Count; k++)
         {
-            _piles[k].MoveTo(states, ended ? last : end, _current);
+            _piles[k].MoveTo(states, time, _current);
             _piles[k].End(states, _current);
         }
 
-        for (int k = 0; k < _clusterCount; k++)
+        foreach (int i in _cluster.AsSpan(0, _clusterCount))
         {
-            int i = _cluster[k];
             _current[i].End(in states[i]);
         }
-
-        return ended;
     }
 
     /// <summary>Resets new balls of the cluster to the start of the step, puts touching ones into piles, and computes the paths of the

@@ -230,28 +230,7 @@ internal sealed partial class BallPile
         bool warm = Continue(_length > 0 ? h / _length : 0);
         _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull);
 
-        // A ball with a load moves at its new velocity; a flying ball moves at the mean of its old and new velocities.
-        for (int i = 0; i < Count; i++)
-        {
-            ref PileMember member = ref _solver.Members[i];
-            member.Way = 0.5 * (member.StartV + member.V);
-        }
-
-        for (int i = 0; i < _solver.ContactCount; i++)
-        {
-            ref readonly PileContact contact = ref _solver.Contacts[i];
-            if (contact.Load > 0)
-            {
-                ref PileMember first = ref _solver.Members[contact.First];
-                first.Way = first.V;
-                if (contact.Second >= 0)
-                {
-                    ref PileMember second = ref _solver.Members[contact.Second];
-                    second.Way = second.V;
-                }
-            }
-        }
-
+        _solver.SetWays();
         _length = h;
         Until = parts > 1 ? Time + h : end;
         return bounced;

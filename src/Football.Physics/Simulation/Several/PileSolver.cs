@@ -35,6 +35,31 @@ internal sealed class PileSolver
         Contacts[ContactCount++] = contact;
     }
 
+    /// <summary>Sets the velocity at which each ball moves: the new one if it has a load, otherwise the mean of the old and new ones.</summary>
+    public void SetWays()
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref PileMember member = ref Members[i];
+            member.Way = 0.5 * (member.StartV + member.V);
+        }
+
+        for (int i = 0; i < ContactCount; i++)
+        {
+            ref readonly PileContact contact = ref Contacts[i];
+            if (contact.Load > 0)
+            {
+                ref PileMember first = ref Members[contact.First];
+                first.Way = first.V;
+                if (contact.Second >= 0)
+                {
+                    ref PileMember second = ref Members[contact.Second];
+                    second.Way = second.V;
+                }
+            }
+        }
+    }
+
     /// <summary>Solves the impulses, starting from those that the contacts already hold.</summary>
     /// <param name="h">The time, s.</param>
     /// <param name="mostRounds">Maximum number of iterations.</param>
