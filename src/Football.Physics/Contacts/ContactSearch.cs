@@ -19,7 +19,7 @@ internal readonly struct ContactSearch
     {
         _world = world;
         _path = path;
-        _bounds = world.IsBare ? Bounds3d.Everywhere : path.Bounds;
+        _bounds = world.IsBare ? default : path.Bounds;
         _time = time;
         _bend = path.GreatestAcceleration;
     }
@@ -32,26 +32,41 @@ internal readonly struct ContactSearch
     /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double First(in BallState s, int carrier, out Separation first, Span<Contact> held = default)
     {
-        double at = FirstContact(in s, carrier, held, out first);
-        return _world.HasPassages ? FirstPassage(in s, at, ref first) : at;
+        double at = FirstContact(in s, carrier, held, out first, out NearPassages near);
+        return _world.HasPassages ? FirstPassage(in s, in near, at, ref first) : at;
     }
 
-    /// <summary>Finds the first contact on the path, without nets and goals.</summary>
+    /// <summary>Finds the first contact on the path, and the nets and goals near it.</summary>
     /// <param name="s">The ball at the start of the path.</param>
     /// <param name="carrier">The carrier; −1 if there is none.</param>
     /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
     /// <param name="first">The contact.</param>
+    /// <param name="passages">The nets and goals whose bounds the path reaches.</param>
     /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
-    public double FirstContact(in BallState s, int carrier, Span<Contact> held, out Separation first)
+    public double FirstContact(in BallState s, int carrier, Span<Contact> held, out Separation first, out NearPassages passages)
     {
         first = default;
+        passages = default;
         double best = double.PositiveInfinity;
+        if (_world.IsBare)
+        {
+            // The ball can hit only the ground.
+            best = _world.Ground is null || carrier == 0 || held.Length > 0 ? best : FirstContact(0, carrier, held, _path.Length, out _);
+            first = best <= _path.Length ? Separation.OfContact(_world, 0) : first;
+            return best;
+        }
 
         // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along each collider's gap.
         _world.Engine?.LookAlong(in _path, _time);
-        var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius), _time, _path.Length);
-        while (near.NextCollider(out int thing))
+        NearThings near = Near(in s);
+        while (near.Next(out int thing))
         {
+            if (_world.IsPassage(thing))
+            {
+                passages.Add(_world, thing);
+                continue;
+            }
+
             bool seam = false;
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
@@ -66,6 +81,32 @@ internal readonly struct ContactSearch
         return best;
     }
 
+    /// <summary>Finds the first net or goal that the ball enters or leaves on the path, without contacts.</summary>
+    /// <param name="s">The ball at the start of the path.</param>
+    /// <param name="first">The passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
+    public double FirstPassage(in BallState s, out Separation first)
+    {
+        first = default;
+        NearPassages passages = default;
+        NearThings near = Near(in s);
+        while (_world.HasPassages && near.Next(out int thing))
+        {
+            passages.Add(_world, thing);
+        }
+
+        return FirstPassage(in s, in passages, double.PositiveInfinity, ref first);
+    }
+
+    /// <summary>Enumerates the objects whose bounds the path reaches.</summary>
+    private NearThings Near(in BallState s)
+    {
+        // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
+        int net = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
+        double deep = net < 0 ? 0 : _world.Nets[net].Depth(s.Position, NetSheet.SideOf(s.NetSides, net)) + (_path.Length * _path.FastestSpeed);
+        return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
+    }
+
     /// <summary>True if the first of two simultaneous contacts has priority.</summary>
     private bool ComesFirst(int first, int second, double at)
     {
@@ -78,110 +119,71 @@ internal readonly struct ContactSearch
         return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
     }
 
-    /// <summary>Finds the first net or goal that the ball enters or leaves on the path, without contacts.</summary>
-    /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="first">The passage.</param>
-    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
-    public double FirstPassage(in BallState s, out Separation first)
+    /// <summary>Finds the first passage. Of simultaneous ones, it takes the first net or goal in scene order, but contacts come before them.</summary>
+    private double FirstPassage(in BallState s, in NearPassages near, double best, ref Separation first)
     {
-        first = default;
-        return _world.HasPassages ? FirstPassage(in s, double.PositiveInfinity, ref first) : double.PositiveInfinity;
-    }
-
-    private double FirstPassage(in BallState s, double best, ref Separation first)
-    {
-        int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
-        int nets = _world.FirstPassage;
-        int goals = nets + _world.Nets.Length;
-
-        // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
         int deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
         double deepestSide = deepest < 0 ? 0 : NetSheet.SideOf(s.NetSides, deepest);
-        double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
-        var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
-        while (near.NextPassage(out int thing))
-        {
-            double until = Math.Min(best, _path.Length);
-            double at = double.PositiveInfinity;
-            Separation gap = default;
-
-            // Check nets that do not contain the ball, and mouths that the ball has not entered and whose line it has not passed.
-            if (thing < goals)
-            {
-                int net = thing - nets;
-                bool inside = (s.Nets >> net & 1) != 0;
-                if (!inside)
-                {
-                    var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend, new SearchSpan(in _path, until));
-                    at = TimeOfImpact.First(ref sheet);
-                    gap = sheet.Last;
-                }
-            }
-            else if (((s.GoalsEntered | s.GoalsPassed) >> (thing - goals) & 1) == 0)
-            {
-                gap = Separation.OfGoal(_world, SeparationKind.MouthEntered, thing - goals);
-                var mouth = new MouthGap(in gap, in _world.Goals[thing - goals], in _path, _time, _bend, new SearchSpan(in _path, until));
-                at = TimeOfImpact.First(ref mouth);
-            }
-
-            // If passages are simultaneous, use the first net or goal in scene order, regardless of the traversal order.
-            if (at < best || (at == best && thing < bestThing))
-            {
-                best = at;
-                bestThing = thing;
-                first = gap;
-            }
-        }
-
-        // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it.
-        for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
+        for (int net = 0; net < _world.Nets.Length && (near.Nets | s.Nets) >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
             {
+                // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it.
                 Vector3d place = _world.Nets[net].PlaceInFrame(_path.At(0));
-                Leave(Separation.OfLeavingNet(_world, net, NetSheet.SideOf(s.NetSides, net)), ref best, ref first, ref bestThing);
-                Leave(Separation.OfNetEdge(_world, net, 0, place.X, deepest, deepestSide), ref best, ref first, ref bestThing);
-                Leave(Separation.OfNetEdge(_world, net, 1, place.Y, deepest, deepestSide), ref best, ref first, ref bestThing);
+                Leave(Separation.OfLeavingNet(_world, net, NetSheet.SideOf(s.NetSides, net)), ref best, ref first);
+                Leave(Separation.OfNetEdge(_world, net, 0, place.X, deepest, deepestSide), ref best, ref first);
+                Leave(Separation.OfNetEdge(_world, net, 1, place.Y, deepest, deepestSide), ref best, ref first);
+            }
+            else if ((near.Nets >> net & 1) != 0)
+            {
+                var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend, SpanTo(best));
+                double at = TimeOfImpact.First(ref sheet);
+                first = at < best ? sheet.Last : first;
+                best = Math.Min(at, best);
             }
         }
 
-        // If the ball is in the mouth of a goal, always test whether it crosses the line or leaves through the mouth.
-        for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
+        for (int goal = 0; goal < _world.Goals.Length && (near.Goals | s.GoalsEntered) >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
             {
-                Take(Separation.OfGoal(_world, SeparationKind.GoalLine, goal), ref best, ref first);
-                Take(Separation.OfGoal(_world, SeparationKind.MouthLeft, goal), ref best, ref first);
+                // If the ball is in the mouth of a goal, always test whether it crosses the line or leaves through the mouth.
+                Cross(Separation.OfGoal(_world, SeparationKind.GoalLine, goal), ref best, ref first);
+                Cross(Separation.OfGoal(_world, SeparationKind.MouthLeft, goal), ref best, ref first);
+            }
+            else if (((near.Goals & ~s.GoalsPassed) >> goal & 1) != 0)
+            {
+                Separation entry = Separation.OfGoal(_world, SeparationKind.MouthEntered, goal);
+                var mouth = new MouthGap(in entry, in _world.Goals[goal], in _path, _time, _bend, SpanTo(best));
+                Keep(ref mouth, in entry, ref best, ref first);
             }
         }
 
         return best;
     }
 
+    private SearchSpan SpanTo(double best) => new(in _path, Math.Min(best, _path.Length));
+
     /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
-    private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
+    private void Leave(in Separation net, ref double best, ref Separation first)
     {
-        int thing = _world.FirstPassage + net.Index;
-        var gap = new FallingGap(in net, in _path, _time, _bend, new SearchSpan(in _path, Math.Min(best, _path.Length)));
-        double at = TimeOfImpact.First(ref gap);
-        if (at < best || (at == best && thing < bestThing))
-        {
-            best = at;
-            bestThing = thing;
-            first = net;
-        }
+        var gap = new FallingGap(in net, in _path, _time, _bend, SpanTo(best));
+        Keep(ref gap, in net, ref best, ref first);
     }
 
     /// <summary>Keeps an event at a plane of a goal if it is the earliest so far.</summary>
-    private void Take(in Separation plane, ref double best, ref Separation first)
+    private void Cross(in Separation plane, ref double best, ref Separation first)
     {
-        var gap = new GoalPlaneGap(in plane, in _path, _time, _bend, new SearchSpan(in _path, Math.Min(best, _path.Length)));
+        var gap = new GoalPlaneGap(in plane, in _path, _time, _bend, SpanTo(best));
+        Keep(ref gap, in plane, ref best, ref first);
+    }
+
+    private static void Keep<TGap>(ref TGap gap, in Separation happening, ref double best, ref Separation first)
+        where TGap : struct, IGap
+    {
         double at = TimeOfImpact.First(ref gap);
-        if (at < best)
-        {
-            best = at;
-            first = plane;
-        }
+        first = at < best ? happening : first;
+        best = Math.Min(at, best);
     }
 
     /// <summary>Returns the time of the first closing contact with a collider, or of a seam at which it becomes the carrier; infinite if
@@ -213,7 +215,7 @@ internal readonly struct ContactSearch
             bounds = path.Bounds;
         }
 
-        if (!bounds.Expanded(r).Intersects(in collider.Bounds))
+        if (!_world.IsBare && !bounds.Expanded(r).Intersects(in collider.Bounds))
         {
             return double.PositiveInfinity;
         }
@@ -244,5 +246,21 @@ internal readonly struct ContactSearch
         }
 
         return double.PositiveInfinity;
+    }
+}
+
+/// <summary>Nets and goals near a path, a bit for each.</summary>
+internal struct NearPassages
+{
+    public ulong Nets;
+    public ulong Goals;
+
+    /// <summary>Adds a net or a goal; ignores a collider.</summary>
+    public void Add(World world, int thing)
+    {
+        int net = thing - world.FirstPassage;
+        int goal = net - world.Nets.Length;
+        Nets |= net >= 0 && goal < 0 ? 1UL << net : 0;
+        Goals |= goal >= 0 && goal < world.Goals.Length ? 1UL << goal : 0;
     }
 }

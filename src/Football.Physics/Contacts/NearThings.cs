@@ -108,25 +108,6 @@ internal struct NearThings
         return false;
     }
 
-    /// <summary>Advances to the next net or goal.</summary>
-    /// <param name="thing">Index of the net or goal.</param>
-    /// <returns>False at the end.</returns>
-    public bool NextPassage(out int thing)
-    {
-        // Nets and goals are stationary and bounded, so they are in the tree.
-        while (_objects.Tree.Next(in _box, ref _node, out int leaf))
-        {
-            thing = _objects.Leaves[leaf];
-            if (_world.IsPassage(thing))
-            {
-                return true;
-            }
-        }
-
-        thing = -1;
-        return false;
-    }
-
     /// <summary>Advances to the next object.</summary>
     /// <param name="thing">Index of the object: colliders first, then nets, then goals.</param>
     /// <returns>False at the end.</returns>

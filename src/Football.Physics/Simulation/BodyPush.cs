@@ -102,7 +102,7 @@ internal sealed class BodyPush
         // Treat the push as a straight path of nearly zero duration, and search it for a stationary object.
         var path = PathCubic.Line(in from, (s.Position - from) / ContactTolerances.Displacement, ContactTolerances.Displacement);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
-        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= ContactTolerances.Displacement
+        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met, out _) <= ContactTolerances.Displacement
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 
