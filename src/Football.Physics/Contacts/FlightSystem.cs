@@ -49,17 +49,12 @@ internal struct FlightSystem : IMotionSystem
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
         Surroundings around = Around;
+        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, in at);
         Vector3d u = at.Velocity - around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
         around.Air.Evaluate(in ball, branch, out AirFactors air);
         MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);
-        if (Nets == 0)
-        {
-            return rates;
-        }
-
-        MotionRates nets = around.World.NetForces.Push(Nets, NetSides, in at);
-        return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
+        return Nets == 0 ? rates : new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }
 
     /// <summary>Returns the share of the spinning branch that keeps the ball on the surface <see cref="Branch"/>.</summary>

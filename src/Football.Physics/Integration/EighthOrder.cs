@@ -45,7 +45,8 @@ internal static unsafe class EighthOrder
         where TSystem : struct, IMotionSystem
     {
         Stage* stages = stackalloc Stage[Stages];
-        stages[0] = new Stage(in from.Velocity, in start);
+        stages[0].Velocity = from.Velocity;
+        stages[0].Rates = start;
         double[] weights = s_weights;
         int next = 0;
         Motion at = from;
@@ -72,8 +73,8 @@ internal static unsafe class EighthOrder
                 break;
             }
 
-            system.Rates(time + (s_nodes[i] * h), in at, out MotionRates rates);
-            stages[i] = new Stage(in at.Velocity, in rates);
+            stages[i].Velocity = at.Velocity;
+            system.Rates(time + (s_nodes[i] * h), in at, out stages[i].Rates);
         }
 
         // The spin at the middle, from the cubic through both ends, because the last stage is at the end.
@@ -84,15 +85,9 @@ internal static unsafe class EighthOrder
     }
 
     /// <summary>The rates at a stage: the velocity is that of the position.</summary>
-    private readonly struct Stage
+    private struct Stage
     {
-        public readonly Vector3d Velocity;
-        public readonly MotionRates Rates;
-
-        public Stage(in Vector3d velocity, in MotionRates rates)
-        {
-            Velocity = velocity;
-            Rates = rates;
-        }
+        public Vector3d Velocity;
+        public MotionRates Rates;
     }
 }
