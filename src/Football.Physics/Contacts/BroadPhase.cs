@@ -94,6 +94,11 @@ internal sealed class BroadPhase
             }
         }
 
+        if (Moving.Length == 0)
+        {
+            return free;
+        }
+
         KnowObstacles();
         for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
         {

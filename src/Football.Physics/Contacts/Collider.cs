@@ -114,7 +114,7 @@ internal sealed class Collider
 
     /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
     /// <remarks>The rate of the gap follows from the ball's velocity relative to the shape.</remarks>
-    public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? Motion.SurfaceVelocity(in point, time) : Velocity;
+    public Vector3d ShapeVelocity(in Vector3d point, double time) => Motion.ShapeVelocity(in point, time);
 
     /// <summary>Returns V_p, the velocity of its material extrapolated to the ball's centre, m/s.</summary>
     /// <remarks>If the shape does not rotate, the part along the shape, along which a ball moves with the material.</remarks>
@@ -183,7 +183,7 @@ internal sealed class Collider
     public PlaneShape? StandingPlane { get; private set; }
 
     /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
-    public double HollowCurvature => _shape.MaximumConcaveCurvature;
+    public double HollowCurvature { get; private set; }
 
     /// <summary>Its bounding box in its own frame; for objects that the game does not move, at time 0.</summary>
     public ref readonly Bounds3d Bounds => ref _bounds;
@@ -217,6 +217,7 @@ internal sealed class Collider
     /// <summary>Sets the properties that follow from its shape, its mass and its motion.</summary>
     private void Classify()
     {
+        HollowCurvature = _shape.MaximumConcaveCurvature;
         GivesWay = Mass < double.PositiveInfinity;
         Moves = _placement is not null || _motion.Velocity != Vector3d.Zero;
         StandingPlane = Moves ? null : _shape as PlaneShape;

@@ -120,6 +120,9 @@ internal struct RigidMotion
     public readonly Vector3d SurfaceVelocity(in Vector3d contact, double time) =>
         Velocity + Vector3d.Cross(in Spin, contact - Pivot - ((time - Time) * Velocity));
 
+    /// <summary>Returns the velocity of the shape at a point, in m/s: V, and Ω × (c − o) only if the shape rotates.</summary>
+    public readonly Vector3d ShapeVelocity(in Vector3d point, double time) => Swing > 0 ? SurfaceVelocity(in point, time) : Velocity;
+
     /// <summary>Returns a bounding box, along the world axes, of a rotated box of the shape.</summary>
     public readonly Bounds3d Turned(in Bounds3d own)
     {

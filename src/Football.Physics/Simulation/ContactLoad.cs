@@ -100,7 +100,7 @@ internal sealed class ContactLoad
     private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
     {
         double spin = collider.Spin.Length;
-        return spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
+        return spin == 0 ? 0 : spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
     }
 
     /// <summary>True if all forces on a ball in a net balance.</summary>
