@@ -41,7 +41,7 @@ internal struct FlightSystem : IMotionSystem
         s.Angle = 0;
 
         // Decay never reverses a spin, but a custom force can.
-        bool keeps = Around.Air.TurnsAxis || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        bool keeps = Around.Air.HasOwnForces || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 

@@ -30,6 +30,9 @@ internal struct SceneAir : IFlightAir
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
         _hasField = HasFieldIn(scene);
         _jumpsInField = _hasField && laws.Jumps;
+        Jumps = !_hasField && laws.Jumps;
+        HasOwnForces = hasOwnForces;
+        Varies = _hasField || hasOwnForces;
         Bound = laws.Bound + (_knuckle?.Bound ?? default);
         OrdinaryBound = laws.OrdinaryBound + (_knuckle?.Bound ?? default);
     }
@@ -52,17 +55,14 @@ internal struct SceneAir : IFlightAir
 
     public readonly bool HasSide => _knuckle is not null;
 
-    public readonly bool Jumps => !_hasField && _laws.Jumps;
+    public readonly bool Jumps { get; }
 
     /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay.</summary>
     /// <remarks>Flight then calls only <see cref="Evaluate"/>.</remarks>
-    public readonly bool Varies => _hasField || _own is not null;
+    public readonly bool Varies { get; }
 
-    /// <summary>True if torques can turn the spin, so that the flight has no constant axis.</summary>
-    public readonly bool TurnsAxis => _own is not null;
-
-    /// <summary>True if the scene has custom forces.</summary>
-    public readonly bool HasOwnForces => _own is not null;
+    /// <summary>True if the scene has custom forces. Their torques can turn the spin, so that the flight has no constant axis.</summary>
+    public readonly bool HasOwnForces { get; }
 
     /// <summary>True if the wind at a fixed position can change with time.</summary>
     public readonly bool ChangesInTime => _wind is not null && _byHeight is not { Gusts: null };

@@ -127,7 +127,7 @@ internal sealed class FlightPhase<TIntegrator>
 
         // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
         // full vector.
-        hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
+        hasAxis = !_around.Air.HasOwnForces && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
         // Take the longest stable piece. If it is shorter than requested, use this length for later parts too.
         double asked = run.Next;

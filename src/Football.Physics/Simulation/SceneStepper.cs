@@ -42,9 +42,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly Displacement _displacement;
 
     public SceneStepper(Scene scene, SolverSettings settings, in SceneAir air)
+        : base(new Surroundings(scene, in air))
     {
-        var around = new Surroundings(scene, in air);
-        Around = around;
+        Surroundings around = Around;
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;
@@ -54,7 +54,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         // A step across the jump is of first order, so a first-order integrator gains nothing from locating the jump.
         var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
-        World world = around.World;
+        World world = World;
         double weight = around.Weight.Length;
         _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, weight), in _wind, weight, _integrator.ShareInPath);
 
@@ -77,8 +77,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 
-    public override World World => Around.World;
-
     public override bool MayWake => _rest.MayWake;
 
     public override bool RestsAt(in BallState s)
@@ -89,9 +87,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 
     public override PilePhase Pile { get; }
-
-    /// <summary>The forces that act on a ball anywhere in the scene.</summary>
-    protected Surroundings Around { get; }
 
     /// <summary>The stability limit of a piece.</summary>
     protected StabilityLimit Limit { get; }
@@ -135,8 +130,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Enter(ref s);
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
-        run.Close();
-        Exit(ref s, log.Events, first);
+        Close(ref s, in run, first);
     }
 
     public override void Displaced(ref BallState s, in Vector3d from, StepLog log)
@@ -271,7 +265,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     private void TakeAll(ref BallState s, double dt, StepLog log, WholeStep whole, in FlightStep taken)
     {
-        World.Enter(ref s);
+        if (World.Engine is not null)
+        {
+            World.Enter(ref s);
+        }
+
         var run = new StepRun(dt, s.Time, log) { Whole = whole };
         Vector3d from = s.Position;
         if (!log.Halted)
@@ -328,10 +326,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             _contact.StartSliding(ref s, ref run);
         }
 
-        run.Close();
-
-        // If the buffer dropped events, this step's events have moved to other indices.
-        Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
+        if (log.Continues || World.Engine is not null)
+        {
+            // If the buffer dropped events, this step's events have moved to other indices.
+            Close(ref s, in run, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
+        }
     }
 
     /// <summary>Moves the ball out of the ground, and out of bodies that the game has moved into it.</summary>
@@ -348,10 +347,16 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         run.Log.Zones?.Moved(run.Log, in s);
     }
 
-    /// <summary>Ends a step: the state and the events then identify an engine collider by its own number.</summary>
-    private void Exit(ref BallState s, EventBuffer events, int firstEvent)
+    /// <summary>Ends a call: saves the counters of a step that continues, and identifies an engine collider by its own number.</summary>
+    private void Close(ref BallState s, in StepRun run, int firstEvent)
     {
+        if (run.Log.Continues)
+        {
+            run.Close();
+        }
+
         World.Exit(ref s);
+        EventBuffer events = run.Log.Events;
         for (int i = firstEvent; World.Engine is not null && i < events.Count; i++)
         {
             int number = World.Engine.NumberOf((long)events[i].ColliderIndex - World.FirstCollider);

@@ -137,32 +137,26 @@ internal ref struct StepRun
         }
     }
 
-    /// <summary>Ends a call. If the step continues in a later call, this saves its counters.</summary>
-    public readonly void Close()
+    /// <summary>Saves the counters of a step that continues in a later call.</summary>
+    public readonly void Close() => Log.Spent = new StepBudget
     {
-        if (Log.Continues)
-        {
-            Log.Spent = new StepBudget
-            {
-                Pieces = Pieces,
-                Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation,
-                Events = Told,
-                Splits = Splits,
-                AllImpacts = AllImpacts,
-                Impacts = Impacts,
-                Untold = Untold,
-                SetChanges = SetChanges,
-                SetPieces = SetPieces,
-                Parts = Parts,
-                Turns = Turns,
-                Named = Named,
-                Slips = Slips,
-                Squeezes = Squeezes,
-                Hits = _hits,
-                LastHit = _lastHit,
-            };
-        }
-    }
+        Pieces = Pieces,
+        Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation,
+        Events = Told,
+        Splits = Splits,
+        AllImpacts = AllImpacts,
+        Impacts = Impacts,
+        Untold = Untold,
+        SetChanges = SetChanges,
+        SetPieces = SetPieces,
+        Parts = Parts,
+        Turns = Turns,
+        Named = Named,
+        Slips = Slips,
+        Squeezes = Squeezes,
+        Hits = _hits,
+        LastHit = _lastHit,
+    };
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - ContactTolerances.StepRounding) : Left;

@@ -9,8 +9,14 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 internal abstract class Stepper
 {
+    protected Stepper(Surroundings around)
+    {
+        Around = around;
+        World = around.World;
+    }
+
     /// <summary>The colliders, nets and goals of the scene.</summary>
-    public abstract World World { get; }
+    public World World { get; }
 
     /// <summary>True if a ball at rest may wake without a kick, so that each of its steps must check that it is still held.</summary>
     public abstract bool MayWake { get; }
@@ -20,6 +26,9 @@ internal abstract class Stepper
 
     /// <summary>Steps a single ball of a pile.</summary>
     public abstract PilePhase Pile { get; }
+
+    /// <summary>The forces that act on a ball anywhere in the scene.</summary>
+    protected Surroundings Around { get; }
 
     /// <summary>Advances a state by dt, including events.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);

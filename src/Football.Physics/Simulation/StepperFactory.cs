@@ -28,7 +28,7 @@ internal static class StepperFactory
         var air = SceneAir.Of(scene);
 
         // Custom forces may turn the spin axis, so do not use steps with a constant axis.
-        if (air.TurnsAxis)
+        if (air.HasOwnForces)
         {
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
