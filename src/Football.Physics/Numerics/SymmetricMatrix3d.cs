@@ -44,15 +44,24 @@ public readonly struct SymmetricMatrix3d
     /// <summary>Returns the Hessian of the distance from a point: (1 − nnᵀ)/l.</summary>
     /// <param name="normal">n, the unit vector from the point.</param>
     /// <param name="distance">l, in m; above 0.</param>
-    public static SymmetricMatrix3d AroundPoint(in Vector3d normal, double distance) =>
-        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal));
+    public static SymmetricMatrix3d AroundPoint(in Vector3d normal, double distance) => AroundAxis(in normal, default, distance);
 
     /// <summary>Returns the Hessian of the distance from an axis: (1 − nnᵀ − aaᵀ)/l.</summary>
     /// <param name="normal">n, the unit vector from the axis.</param>
     /// <param name="axis">a, the unit vector along the axis.</param>
     /// <param name="distance">l, in m; above 0.</param>
-    public static SymmetricMatrix3d AroundAxis(in Vector3d normal, in Vector3d axis, double distance) =>
-        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal) - OuterProduct(in axis));
+    public static SymmetricMatrix3d AroundAxis(in Vector3d normal, in Vector3d axis, double distance)
+    {
+        // Entry by entry, because every query of a post computes it.
+        double s = 1.0 / distance;
+        return new(
+            s * (1.0 - (normal.X * normal.X) - (axis.X * axis.X)),
+            s * (0.0 - (normal.X * normal.Y) - (axis.X * axis.Y)),
+            s * (0.0 - (normal.X * normal.Z) - (axis.X * axis.Z)),
+            s * (1.0 - (normal.Y * normal.Y) - (axis.Y * axis.Y)),
+            s * (0.0 - (normal.Y * normal.Z) - (axis.Y * axis.Z)),
+            s * (1.0 - (normal.Z * normal.Z) - (axis.Z * axis.Z)));
+    }
 
     /// <summary>Returns the outer product v vᵀ.</summary>
     /// <param name="v">A vector.</param>
