@@ -107,14 +107,14 @@ internal sealed class Collider
 
     /// <summary>True if the shape itself rotates within a step: bodies and engine colliders.</summary>
     /// <remarks>The spin of an obstacle moves only its surface, as does any spin that leaves the shape unchanged.</remarks>
-    public bool Rotates => Motion.Rotates;
+    public bool Rotates => Moves && Motion.Rotates;
 
     /// <summary>True if it has no velocity and no spin in this step, so that a ball may rest on it.</summary>
     public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
 
     /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
     /// <remarks>The rate of the gap follows from the ball's velocity relative to the shape.</remarks>
-    public Vector3d ShapeVelocity(in Vector3d point, double time) => Motion.ShapeVelocity(in point, time);
+    public Vector3d ShapeVelocity(in Vector3d point, double time) => Moves ? Motion.ShapeVelocity(in point, time) : _motion.Velocity;
 
     /// <summary>Returns V_p, the velocity of its material extrapolated to the ball's centre, m/s.</summary>
     /// <remarks>If the shape does not rotate, the part along the shape, along which a ball moves with the material.</remarks>
@@ -277,7 +277,7 @@ internal sealed class Collider
     }
 
     /// <summary>Returns distance, normal and curvature at a point and a time.</summary>
-    public ShapePoint At(in Vector3d position, double time) => Motion.At(_shape, in position, time);
+    public ShapePoint At(in Vector3d position, double time) => Moves ? Motion.At(_shape, in position, time) : _shape.At(in position);
 
     /// <summary>Returns distance, normal and curvature at a point in the object's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);

@@ -65,7 +65,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.LongestPart(Nets, NetSides, in at);
+    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

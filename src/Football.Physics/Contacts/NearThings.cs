@@ -31,11 +31,8 @@ internal struct NearThings
         _engine = 0;
     }
 
-    /// <summary>Enumerates the objects that may touch a ball at a position.</summary>
-    public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactTolerances.Touching);
-
-    /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m.</summary>
-    public static NearThings Within(World world, in Vector3d position, double time, double distance)
+    /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m; by default, those that may touch it.</summary>
+    public static NearThings At(World world, in Vector3d position, double time, double distance = ContactTolerances.Touching)
     {
         world.Engine?.LookAt(in position, time, distance);
         return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);

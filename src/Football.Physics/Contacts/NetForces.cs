@@ -26,16 +26,11 @@ internal sealed class NetForces(NetSheet[] sheets)
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>Returns the longest part of a step in nets that is accurate, in s.</summary>
-    public double LongestPart(ulong nets, ulong sides, in Motion at) => Longest(nets, sides, at.Position, at.Velocity, Change);
-
-    /// <summary>Returns the longest piece that needs at most this number of such parts, in s.</summary>
-    public double LongestPiece(in BallState s, int parts) => Longest(s.Nets, s.NetSides, s.Position, s.Velocity, parts * Change);
-
-    /// <summary>Returns the time in which nets change the motion by a multiple of itself, in s.</summary>
-    private double Longest(ulong nets, ulong sides, Vector3d position, Vector3d velocity, double change)
+    /// <summary>Returns the longest piece in nets that at most a number of parts take accurately, in s.</summary>
+    public double Longest(ulong nets, ulong sides, in Vector3d position, in Vector3d velocity, int parts = 1)
     {
         double longest = double.PositiveInfinity;
+        double change = parts * Change;
         double speed = velocity.Length;
         for (int i = 0; i < sheets.Length && nets >> i != 0; i++)
         {

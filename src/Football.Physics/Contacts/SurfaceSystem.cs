@@ -107,7 +107,7 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.LongestPart(Nets, NetSides, in at);
+    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

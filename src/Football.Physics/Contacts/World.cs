@@ -9,11 +9,15 @@ internal sealed partial class World
 {
     private readonly string[] _names;
     private readonly int _zones;
+    private readonly double _halfMass;
+    private readonly double _halfInertia;
 
     public World(Scene scene)
     {
         Obstacles = scene.Motions ?? new ObstacleMotions(scene.Obstacles);
         Ball = scene.Ball;
+        _halfMass = 0.5 * Ball.Mass;
+        _halfInertia = 0.5 * Ball.MomentOfInertia;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
         RestEnergy = scene.Ground.RestEnergy * scene.Ball.RestShare;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
@@ -316,8 +320,10 @@ internal sealed partial class World
     }
 
     /// <summary>Energy of the motion relative to the carrier, ½ m |v−V_p|² + ½ I |ω−Ω|², J.</summary>
-    public double Energy(in Motion at, Collider carrier, double time) =>
-        (0.5 * Ball.Mass * (at.Velocity - carrier.MaterialVelocity(in at.Position, time)).LengthSquared) + (0.5 * Ball.MomentOfInertia * (at.Spin - carrier.Spin).LengthSquared);
+    public double Energy(in Motion at, Collider carrier, double time) => Energy(at.Velocity - carrier.MaterialVelocity(in at.Position, time), at.Spin - carrier.Spin);
+
+    /// <summary>½ m |v|² + ½ I |ω|², J.</summary>
+    public double Energy(in Vector3d velocity, in Vector3d spin) => (_halfMass * velocity.LengthSquared) + (_halfInertia * spin.LengthSquared);
 
     /// <summary>Returns V_c, the velocity of a touched surface at the contact point, m/s.</summary>
     /// <param name="collider">The surface.</param>

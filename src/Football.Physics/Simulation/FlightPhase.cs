@@ -19,7 +19,7 @@ internal sealed class FlightPhase<TIntegrator>
     private readonly StabilityLimit _limit;
     private readonly DragJumpGuard _jump;
     private readonly FlightSystem _system;
-    private readonly TIntegrator _integrator;
+    private readonly bool _gainsByHops;
     private readonly World _world;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
@@ -44,7 +44,7 @@ internal sealed class FlightPhase<TIntegrator>
         _limit = limit;
         _jump = jump;
         _system = new FlightSystem { Around = around };
-        _integrator = default;
+        _gainsByHops = default(TIntegrator).GainsByHops;
         _fastestWind = around.Air.FastestWind;
     }
 
@@ -254,11 +254,12 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.MoveTo(ref s);
         s.Branch = end.Branch;
         run.Advance(ref s, sweep.Length);
-        if (end.Meets)
+        if (end.Meets && end.Met.What == SeparationKind.Contact)
         {
-            _guard.PutOnto(ref s, in end.Met);
+            // Set the exact contact height on level ground, so that the path crosses a plane at that height.
+            s.Position = _world.Colliders[end.Met.Index].Snap(s.Position);
         }
-        else
+        else if (!end.Meets)
         {
             // The ball may have entered a surface that it touched without load at the start.
             ContactSet.Separate(_world, ref s);
@@ -287,8 +288,7 @@ internal sealed class FlightPhase<TIntegrator>
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
 
-        // ½ m |v|² + ½ I |ω|²
-        if (!(0.5 * ((_world.Ball.Mass * s.Velocity.LengthSquared) + (_world.Ball.MomentOfInertia * at.Spin.LengthSquared)) <= _world.RestEnergy))
+        if (!(_world.Energy(in at.Velocity, in at.Spin) <= _world.RestEnergy))
         {
             return false;
         }
@@ -336,7 +336,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // With some integrators, a ball would return from a hop faster than it left, and its bounces would grow: divide the fall.
-        return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
+        return _gainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 
     /// <summary>Returns the speed relative to the air in a wind field, m/s.</summary>

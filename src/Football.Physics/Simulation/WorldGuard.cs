@@ -188,16 +188,6 @@ internal sealed class WorldGuard
         }
     }
 
-    /// <summary>Sets the exact contact height at the end of a piece that hits level ground, so that the path crosses a plane at that
-    /// height.</summary>
-    public void PutOnto(ref BallState s, in Separation met)
-    {
-        if (met.What == SeparationKind.Contact)
-        {
-            s.Position = _world.Colliders[met.Index].Snap(s.Position);
-        }
-    }
-
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
@@ -308,7 +298,7 @@ internal sealed class NetGuard
     /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)
     {
-        h = s.Nets == 0 ? h : Math.Min(h, _world.NetForces.LongestPiece(in s, MostParts));
+        h = s.Nets == 0 ? h : Math.Min(h, _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity, MostParts));
         for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
         {
             if ((s.Nets >> i & 1) != 0)
@@ -351,9 +341,10 @@ internal sealed class NetGuard
             }
 
             // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
+            Vector3d velocity = sweep.Velocity;
             double side = NetSheet.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
-            double end = _world.Nets[i].Tension(sweep.Velocity, side);
+            double end = _world.Nets[i].Tension(in velocity, side);
             if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
             {
                 // The motion is smooth up to the kink, so the rate at its start gives a better first guess than a secant across the kink.

@@ -100,7 +100,7 @@ public sealed class NetSheetTests
         var world = new World(scene);
         var sheet = new NetSheet(Net, scene.Ball);
         double At(double depth, double speed, ulong nets = 1, ulong sides = 3) =>
-            world.NetForces.LongestPart(nets, sides, new FootballPhysics.Motion(Net.Center + ((Ball.Radius - depth) * Normal), speed * Along, Vector3d.Zero));
+            world.NetForces.Longest(nets, sides, Net.Center + ((Ball.Radius - depth) * Normal), speed * Along);
         double change = At(0, 0) * sheet.RateAt(0);
         foreach ((double depth, double speed) in new[] { (0.0, 0.0), (0.05, 0.0), (0.05, 3.0), (0.1, 20.0) })
         {
