@@ -35,6 +35,6 @@ internal readonly struct ExplicitEuler : IIntegrator
     {
         step.StartRates = start;
         step.End = from.After(h, in from.Velocity, in step.StartRates);
-        step.Rotation = h * from.Spin;
+        step.Rotation = RotationVector.OfMean(in from.Spin, in from.Spin, in step.End.Spin, h);
     }
 }

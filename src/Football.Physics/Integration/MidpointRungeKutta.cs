@@ -71,6 +71,6 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         Motion middle = from.After(half, in from.Velocity, in step.StartRates);
         system.Rates(time + half, in middle, out MotionRates k2);
         step.End = from.After(h, in middle.Velocity, in k2);
-        step.Rotation = h * middle.Spin;
+        step.Rotation = RotationVector.OfMean(in middle.Spin, in from.Spin, in step.End.Spin, h);
     }
 }

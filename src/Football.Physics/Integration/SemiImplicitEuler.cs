@@ -36,6 +36,6 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         // Update the velocity first, then the position with the new velocity.
         Vector3d velocity = from.Velocity + (h * step.StartRates.Acceleration);
         step.End = from.After(h, in velocity, in step.StartRates);
-        step.Rotation = h * step.End.Spin;
+        step.Rotation = RotationVector.OfMean(in step.End.Spin, in from.Spin, in step.End.Spin, h);
     }
 }

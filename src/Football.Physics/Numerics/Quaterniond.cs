@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Serialization;
 using System.Text.Json.Serialization;
 using FootballPhysics.Numerics;
@@ -243,6 +244,14 @@ internal static class RotationVector
         Vector3d c2 = (-1.0 / 60.0) * Vector3d.Cross(in a1, (2.0 * a3) + c1);
         return a1 + ((1.0 / 12.0) * a3) + ((1.0 / 240.0) * Vector3d.Cross((-20.0 * a1) - a3 + c1, a2 + c2));
     }
+
+    /// <summary>Solves the same equation to the second term of the series, from the mean spin: h ω̄ + h²/12 ω(h) × ω(0).</summary>
+    /// <param name="mean">The mean spin, in rad/s.</param>
+    /// <param name="start">The spin at the start.</param>
+    /// <param name="end">The spin at the end.</param>
+    /// <param name="h">The length of the step, in s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3d OfMean(in Vector3d mean, in Vector3d start, in Vector3d end, double h) => (h * mean) + ((1.0 / 12.0) * (h * h * Vector3d.Cross(in end, in start)));
 
     /// <summary>Composes two small rotations: the Baker–Campbell–Hausdorff series to the third order.</summary>
     /// <param name="first">The first rotation, in rad.</param>

@@ -95,7 +95,8 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         log.Steps++;
         Vector3d middleSpin = SpinOf(in forces, step.MiddleSpeed, step.MiddleAbout);
         Vector3d endSpin = SpinOf(in forces, step.EndSpeed, step.EndAbout);
-        Vector3d turn = _order == 4 ? RotationVector.Of(SpinOf(in forces, line.Speed, line.About), in middleSpin, in endSpin, dt) : dt * middleSpin;
+        Vector3d startSpin = SpinOf(in forces, line.Speed, line.About);
+        Vector3d turn = _order == 4 ? RotationVector.Of(in startSpin, in middleSpin, in endSpin, dt) : RotationVector.OfMean(in middleSpin, in startSpin, in endSpin, dt);
         if (log.IsWatched)
         {
             BallState before = s;

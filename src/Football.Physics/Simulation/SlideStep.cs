@@ -84,7 +84,7 @@ internal sealed class SlideStep<TAir>
         // There is no event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
-        Vector3d turn = _order == 4 ? RotationVector.Of(in from.Spin, in middle.Spin, in final.Spin, dt) : dt * middle.Spin;
+        Vector3d turn = _order == 4 ? RotationVector.Of(in from.Spin, in middle.Spin, in final.Spin, dt) : RotationVector.OfMean(in middle.Spin, in from.Spin, in final.Spin, dt);
         if (log.IsWatched)
         {
             BallState before = s;

@@ -36,6 +36,9 @@ public sealed class WholeStepTests
 
     /// <summary>One step, from random slides and rolls on random planes and materials: the plane form is the law of any surface.</summary>
     [Theory]
+    [ProfileData(Integrator.Euler)]
+    [ProfileData(Integrator.SemiImplicitEuler)]
+    [ProfileData(Integrator.Rk2)]
     [ProfileData(Integrator.Rk4)]
     public void The_plane_form_is_the_law_of_any_surface_over_its_domain(Profile profile, Integrator integrator)
     {
@@ -90,8 +93,8 @@ public sealed class WholeStepTests
         Assert.InRange(Vector3d.Distance(states[0].Velocity, states[1].Velocity), 0, 1e-8);
         Assert.InRange(Vector3d.Distance(states[0].Spin, states[1].Spin), 0, 1e-7);
 
-        // The plane form adds only two terms of the rotation's series while the axis turns little.
-        Assert.InRange(Differences.Rotation(states[0].Orientation, states[1].Orientation), 0, 1e-5);
+        // With Rk4, the plane form adds only two terms of the rotation's series while the axis turns little.
+        Assert.InRange(Differences.Rotation(states[0].Orientation, states[1].Orientation), 0, integrator == Integrator.Rk4 ? 1e-5 : 1e-9);
         return true;
     }
 
