@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the shell blocks of the pages exactly as printed, and checks that none is left out.
+"""Runs the shell blocks of the pages exactly as printed, and checks that neither a shell block nor a Python block is left out.
 
   tests/blocks.py check                       every sh block of every page is in the tables below
+  tests/blocks.py python                      the pages with python blocks that tests/Python/pages.py runs
   tests/blocks.py run PAGE#SECTION [N...]     run the blocks of a section, or its N-th blocks, in the current folder
   tests/blocks.py show PAGE#SECTION KIND [N]  print the N-th block of this kind (default 1): input for a command
-  tests/blocks.py ran FILE                    each block of SCRIPTS is in FILE, where `run` wrote it, and no other block
+  tests/blocks.py ran FILE                    each block of SCRIPTS and each python block is in FILE, where `run` and pages.py wrote it, and no other block
 PAGE is relative to the repository. SECTION is the anchor of the heading right above the block, as in a link.
 A text block right after a sh block is the output of that block. `run` adds a line to the file that FOOTBALL_BLOCKS names.
 """
@@ -53,6 +54,12 @@ NOT_RUN = {
     ("docs/cookbook.md#how-do-i-use-it-with-monogame", 1): "needs packages of MonoGame; the tests compile the program against stand-ins",
     ("docs/cookbook.md#how-do-i-use-it-with-raylib", 1): "needs the package Raylib-cs; the tests compile the program against stand-ins",
     ("docs/data-sets.md#pygame", 1): "opens a window, and runs until someone closes it",
+}
+
+# The python blocks that tests/Python/pages.py does not run, and the reason. tests/native.sh calls it for every page with other python blocks.
+PYTHON_NOT_RUN = {
+    ("docs/data-sets.md#files", 1): "tests/tool.sh runs it in the folder of the sweep",
+    ("docs/data-sets.md#files", 2): "needs pandas and pyarrow",
 }
 
 # A shell command belongs in a sh block. A block without a kind could contain one.
@@ -106,11 +113,28 @@ def shell_blocks(section):
     ]
 
 
+def python_blocks(page):
+    """The python blocks of a page that run, as (section, number, block, the text block right after it or None)."""
+    of_page, numbers, found = blocks(page), Counter(), []
+    for i, block in enumerate(of_page):
+        if block.kind == "python":
+            numbers[block.section] += 1
+            if (block.section, numbers[block.section]) not in PYTHON_NOT_RUN:
+                prints = of_page[i + 1] if i + 1 < len(of_page) and of_page[i + 1].kind == "text" and of_page[i + 1].adjoins else None
+                found.append((block.section, numbers[block.section], block, prints))
+    return found
+
+
+def pages():
+    """The pages of the repository."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return listed.splitlines()
+
+
 def all_blocks():
     """Every sh block of every page, as (section, number), and its line."""
-    pages = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.split("\n")
     found = {}
-    for page in filter(None, pages):
+    for page in pages():
         numbers = Counter()
         for block in blocks(page):
             if block.kind.split(" ")[0].lower() in OTHER_SHELLS:
@@ -128,6 +152,8 @@ def check():
     wrong += [f"{section}: SCRIPTS contains this section, but it has no sh block." for section in SCRIPTS if not any(section == each for each, _ in found)]
     wrong += [f"{section}, block {number}: NOT_RUN contains this block, but the page does not." for section, number in NOT_RUN if (section, number) not in found]
     wrong += [f"{section}: {script} does not name this section." for section, script in SCRIPTS.items() if section not in (ROOT / script).read_text(encoding="utf-8")]
+    python = Counter(block.section for page in pages() for block in blocks(page) if block.kind == "python")
+    wrong += [f"{section}, python block {number}: PYTHON_NOT_RUN contains this block, but the page does not." for section, number in PYTHON_NOT_RUN if number > python[section]]
     start = [block.code.strip().count("\n") + 1 for (section, _), block in found.items() if section == "README.md#start"]
     if start != [1, 1]:
         wrong.append(f"README.md#start: the blocks have {start} commands; it must have two blocks with one command each.")
@@ -167,14 +193,17 @@ def show(section, kind, number):
 def ran(record):
     found = check()
     lines = pathlib.Path(record).read_text(encoding="utf-8").splitlines()
-    done = {(section, int(number)) for section, number in (line.split(" ") for line in lines)}
+    done = {(section, int(number)) for section, number in (line.split(" ") for line in lines if not line.startswith("python "))}
     wrong = [f"{section}, line {block.line}: {SCRIPTS[section]} did not run this block."
              for (section, number), block in found.items() if (section, number) not in NOT_RUN and (section, number) not in done]
     wrong += [f"{section}, block {number}: NOT_RUN contains this block, but it ran." for section, number in NOT_RUN if (section, number) in done]
+    python = [f"python {section} {number}" for page in pages() for section, number, _, _ in python_blocks(page)]
+    wrong += [f"{block}: tests/Python/pages.py did not run this block." for block in python if block not in lines]
     if wrong:
         sys.exit("\n".join(wrong))
     print(f"ok    blocks: all {len(found)} sh blocks of {len({section.split('#')[0] for section, _ in found})} pages: "
-          f"{len(found) - len(NOT_RUN)} ran as printed, {len(NOT_RUN)} have a reason not to")
+          f"{len(found) - len(NOT_RUN)} ran as printed, {len(NOT_RUN)} have a reason not to; "
+          f"{len(python)} python blocks ran and printed the output on the page, {len(PYTHON_NOT_RUN)} have a reason not to")
 
 
 def main(arguments):
@@ -182,6 +211,8 @@ def main(arguments):
         case ["check"]:
             found = check()
             print(f"ok    blocks: {len(found)} sh blocks, {len(NOT_RUN)} of them not run, with the reason")
+        case ["python"]:
+            print(*(page for page in pages() if python_blocks(page)), sep="\n")
         case ["run", section, *numbers] if all(number.isdigit() for number in numbers):
             run(section, [int(number) for number in numbers])
         case ["show", section, kind, *number] if len(number) <= 1 and all(each.isdigit() and each != "0" for each in number):
@@ -192,4 +223,5 @@ def main(arguments):
             sys.exit(__doc__)
 
 
-main(sys.argv[1:])
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -110,8 +110,10 @@ ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the
 cd "$work"
 "$python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
 ok "tests/Python: $(grep -E '^Ran ' "$log")"
-"$python" "$root/tests/Python/pages.py" "$root/docs/data-sets.md#Python" > "$work/said" 2> "$log" || fail "docs/data-sets.md, Python"
-ok "$(tail -n 1 "$work/said")"
+while read -r guide; do
+  "$python" "$root/tests/Python/pages.py" "$guide" > "$work/said" 2> "$log" || fail "$guide, Python"
+  ok "$(tail -n 1 "$work/said")"
+done <<< "$("$root/tests/blocks.py" python)"
 "$python" "$root/src/Football.Physics.Python/examples/free_kick.py" 150 > "$work/said" 2> "$log" || fail "examples/free_kick.py"
 [[ -s free_kick.svg ]] || fail "examples/free_kick.py draws nothing"
 goals=$(awk '/goals of 100/ { print $1 }' "$work/said")
@@ -122,13 +124,13 @@ ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
 (( $(grep -c '^kick' "$work/said") == 3 )) || fail "examples/track.py finds other kicks than its three"
 awk '$1 == "wind_z" { found = ($2 - 3)^2 < ($4 * 4 + 0.1)^2 } END { exit !found }' "$work/said" || fail "examples/track.py: $(grep wind_z "$work/said"); it blows with 3 m/s"
 ok "examples/track.py: $(head -n 1 "$work/said")"
-"$python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
+"$python" "$root/tests/Python/pages.py" --c docs/c.md "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
 ok "$(tail -n 1 "$work/said")"
 
 # --- LÖVE and pygame: a kick without a person, and its picture
 
 start=$SECONDS
-"$python" "$root/tests/Python/pages.py" --lua "$root/docs/c.md" "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md, Lua"
+"$python" "$root/tests/Python/pages.py" --lua docs/c.md "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md, Lua"
 ok "$(tail -n 1 "$work/said")"
 FOOTBALL_PHYSICS=$prefix page docs/c.md#lua-and-love2d
 page docs/data-sets.md#pygame

@@ -48,6 +48,9 @@ echo "ok    docs/command-line.md and docs/cookbook.md: pages of $(cd "$work/user
 
 tests/blocks.py show docs/data-sets.md#ranges "json sweep" > "$work/user/shots.json"
 page "$work/user" docs/data-sets.md#data-sets-tracks-and-python
+tests/blocks.py show docs/data-sets.md#files python > "$work/user/read.py"
+echo 'assert speed.shape == (10000,) and landing.shape == (10000, 3)' >> "$work/user/read.py"
+(cd "$work/user" && /usr/bin/python3 read.py) > "$log" 2>&1 || fail "docs/data-sets.md, Files: the program that reads the rows"
 page "$work/user" docs/data-sets.md#many-machines
 diff -rq -x 'shard-*' "$work/user/rows" "$work/user/parts" > "$log" || fail "docs/data-sets.md: the merged shards are not the sweep"
 echo "ok    docs/data-sets.md: a sweep, and the same bytes from two shards"

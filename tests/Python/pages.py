@@ -1,9 +1,10 @@
 """Runs the programs of a page of the docs, and compares what they print with the text block after them.
 
-    pages.py PAGE[#HEADING]       the python blocks of the page, or of the section from HEADING to the end; each is a complete program
+    pages.py PAGE                 the python blocks, complete programs, except those in PYTHON_NOT_RUN of tests/blocks.py
     pages.py --c PAGE PREFIX      the c blocks, complete programs too, linked with the library in PREFIX
     pages.py --lua PAGE PREFIX    the lua blocks, complete programs too, run by LÖVE without a window; out/native is PREFIX
-With FOOTBALL_REGENERATE=1, the output is written into the page instead.
+PAGE is relative to the repository. With FOOTBALL_REGENERATE=1, the output is written into the page instead.
+A line for each python block is added to the file that FOOTBALL_BLOCKS names.
 """
 
 import os
@@ -13,15 +14,22 @@ import subprocess
 import sys
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+import blocks as printed  # noqa: E402
+
 kind = sys.argv[1][2:] if sys.argv[1] in ("--c", "--lua") else "python"
-path, _, heading = sys.argv[1 if kind == "python" else 2].partition("#")
-page = pathlib.Path(path)
-start = page.read_text(encoding="utf-8").index(f"\n## {heading}\n") if heading else 0
-blocks = re.findall(rf"```{kind}\n(.*?)```\n(?:\n```text\n(.*?)```)?", page.read_text(encoding="utf-8")[start:], re.S)
-if not blocks:
-    sys.exit(f"{page} has no {kind} block")
+name = sys.argv[1 if kind == "python" else 2]
+page = ROOT / name
+if kind == "python":
+    programs = [(block.code, prints.code if prints else None, f"python {section} {number}") for section, number, block, prints in printed.python_blocks(name)]
+else:
+    programs = [(code, expected, None) for code, expected in re.findall(rf"```{kind}\n(.*?)```\n(?:\n```text\n(.*?)```)?", page.read_text(encoding="utf-8"), re.S)]
+if not programs:
+    sys.exit(f"{name} has no {kind} block that runs")
+start = 0
 with tempfile.TemporaryDirectory() as folder:
-    for i, (code, expected) in enumerate(blocks):
+    for i, (code, expected, record) in enumerate(programs):
         source = pathlib.Path(folder) / f"program{i}.{'py' if kind == 'python' else kind}"
         source.write_text(code, encoding="utf-8")
         if kind == "c":
@@ -40,10 +48,13 @@ with tempfile.TemporaryDirectory() as folder:
         else:
             command = [sys.executable, str(source)]
         said = subprocess.run(command, check=True, capture_output=True, text=True, cwd=folder).stdout
+        text = page.read_text(encoding="utf-8")
+        start = text.index(code, start) + len(code)
         if os.environ.get("FOOTBALL_REGENERATE") == "1":
-            text = page.read_text(encoding="utf-8")
-            end = text.index(code, start) + len(code)
-            page.write_text(text[:end] + text[end:].replace(f"```text\n{expected}```", f"```text\n{said}```", 1), encoding="utf-8")
-        elif said.strip() != expected.strip():
-            sys.exit(f"{page.name}, {kind} block {i + 1} prints\n{said}but the page contains\n{expected}")
-print(f"docs/{page.name}: {len(blocks)} {kind} programs run and print the output on the page")
+            page.write_text(text[:start] + text[start:].replace(f"```text\n{expected or ''}```", f"```text\n{said}```", 1), encoding="utf-8")
+        elif said.strip() != (expected or "").strip():
+            sys.exit(f"{name}, {kind} block {i + 1} prints\n{said}but the page contains\n{expected or 'no output'}")
+        if record and os.environ.get("FOOTBALL_BLOCKS"):
+            with open(os.environ["FOOTBALL_BLOCKS"], "a", encoding="utf-8") as file:
+                file.write(record + "\n")
+print(f"{name}: {len(programs)} {kind} programs run and print the output on the page")
