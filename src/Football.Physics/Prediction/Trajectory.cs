@@ -116,13 +116,14 @@ public sealed partial class Trajectory
     public bool TryGetHit(int index, out BallEvent hit) => TryGetImpact(isTouchdown: false, index, out hit);
 
     /// <summary>Finds the point at which the ball comes to rest.</summary>
-    /// <param name="rest">The event.</param>
+    /// <param name="rest">The event; default if the ball does not come to rest.</param>
     /// <returns>False if the ball does not come to rest within the look-ahead.</returns>
     public bool TryGetRest(out BallEvent rest)
     {
         // No event follows rest, so only the last event can be a rest.
-        rest = Events.Count > 0 ? Events[Events.Count - 1] : default;
-        return Events.Count > 0 && rest.Kind == BallEventKind.Rest;
+        bool rests = Events.Count > 0 && Events[Events.Count - 1].Kind == BallEventKind.Rest;
+        rest = rests ? Events[Events.Count - 1] : default;
+        return rests;
     }
 
     /// <summary>Returns the position of the ball at a time, in m.</summary>

@@ -99,6 +99,20 @@ public sealed class LookAheadTests
     }
 
     [Fact]
+    public void A_ball_that_still_rolls_at_the_end_has_no_rest()
+    {
+        var path = new Trajectory();
+        BallState ball = s_simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, 7, -23), new Vector3d(10, 30, 0));
+        s_simulator.LookAhead(in ball, new LookAheadRequest { Duration = 10 }, path);
+        Assert.Equal(BallEventKind.Roll, path.Events[path.Events.Count - 1].Kind);
+        Assert.False(path.TryGetRest(out BallEvent none));
+        Assert.Equal(default, none.Position);
+        s_simulator.LookAhead(in ball, new LookAheadRequest { Duration = 20 }, path);
+        Assert.True(path.TryGetRest(out BallEvent rest));
+        Assert.InRange(rest.Time, 10, 20);
+    }
+
+    [Fact]
     public void A_crossing_lies_on_its_plane_and_no_earlier_one_is_missed()
     {
         var random = new Shots(4);
