@@ -1,56 +1,108 @@
+using System.Diagnostics;
 using System.Text;
-using FootballPhysics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Fit;
+using FootballPhysics.Tool.Fit.Reading;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>Files of tracks that were damaged: what is read is fitted, what is not is refused with a reason; nothing else.</summary>
+/// <summary>Damages files of tracks. The reader returns a track or throws its own exception with one sentence, and the fit of a track that was read has finite numbers.</summary>
 internal sealed class DamagedTracks
 {
+    private static readonly InputFields s_noFields = new(System.Text.Json.JsonDocument.Parse("{}").RootElement);
+
+    /// <summary>The number of files that were read and fitted.</summary>
     public int Fitted { get; private set; }
 
+    /// <summary>The number of files that the reader rejected.</summary>
     public int Refused { get; private set; }
 
+    /// <summary>The number of files that were read and that the fit rejected.</summary>
+    public int NotFitted { get; private set; }
+
+    /// <summary>The longest time that a file took, s.</summary>
+    public double Slowest { get; private set; }
+
+    /// <summary>What should not happen.</summary>
     public List<string> Faults { get; } = [];
 
     /// <summary>Damages a track, reads it and fits it.</summary>
     public void Run(SeededRandom random, SyntheticMatch match)
     {
-        byte[] file = Damage(random, match);
+        int layout = random.Below(TrackLayoutText.Count);
+        byte[] file = Damage(random, match, layout);
+        TrackFormat format = random.Chance(0.1) ? new TrackFormat { Rate = 25, IsYDown = true, Unit = random.Any("m", "cm", "ft") } : new TrackFormat { Rate = TrackLayoutText.HasFrames(layout) ? 50 : null };
+        long start = Stopwatch.GetTimestamp();
         try
         {
-            TrackPoint[] track = TrackReader.Read(new MemoryStream(file), _ => { });
-            MatchFitResult fit = new MatchFit().Find(track);
-            bool isFinite = double.IsFinite(fit.Rms) && fit.Pieces.All(piece => double.IsFinite(piece.Velocity.Length + piece.Spin.Length + piece.Position.Length + piece.Rms))
-                && Enumerable.Range(0, fit.Names.Count).All(i => double.IsFinite(fit.Value(i)));
-            Fitted++;
-            if (!isFinite)
+            if (Read(file, format) is { } track)
             {
-                Faults.Add("a number that is not finite");
+                Fit(track);
             }
-        }
-        catch (Exception refusal) when (refusal is RefusedException or ArgumentException)
-        {
-            Refused++;
         }
         catch (Exception fault)
         {
             Faults.Add($"{fault.GetType().Name}: {fault.Message} {fault.StackTrace?.Split('\n')[0].Trim()}");
         }
+
+        Slowest = Math.Max(Slowest, Stopwatch.GetElapsedTime(start).TotalSeconds);
     }
 
-    private static byte[] Damage(SeededRandom random, SyntheticMatch match)
+    private TrackPoint[]? Read(byte[] file, TrackFormat format)
     {
-        // A few seconds of a match, as text; then up to six damages.
+        try
+        {
+            return TrackReader.Read(new MemoryStream(file), MustBeSentence, format);
+        }
+        catch (RefusedException refusal)
+        {
+            Refused++;
+            MustBeSentence(refusal.Message);
+            return null;
+        }
+    }
+
+    private void Fit(TrackPoint[] track)
+    {
+        try
+        {
+            MatchFitResult fit = new MatchFit().Find(track);
+            Fitted++;
+            bool isFinite = double.IsFinite(fit.Rms) && fit.Pieces.All(piece => double.IsFinite(piece.Velocity.Length + piece.Spin.Length + piece.Position.Length + piece.Rms))
+                && Enumerable.Range(0, fit.Names.Count).All(i => double.IsFinite(fit.Value(i)));
+            if (!isFinite)
+            {
+                Faults.Add("a number that is not finite");
+            }
+        }
+        catch (ArgumentException rejection) when (LibraryRefusal.Of(rejection, s_noFields) is not null)
+        {
+            NotFitted++;
+            MustBeSentence(LibraryRefusal.Sentence(rejection));
+        }
+    }
+
+    private void MustBeSentence(string message)
+    {
+        if (message.Length < 2 || message[^1] is not ('.' or '?') || message.Any(char.IsControl))
+        {
+            Faults.Add($"not one sentence: {message}");
+        }
+    }
+
+    private static byte[] Damage(SeededRandom random, SyntheticMatch match, int layout)
+    {
+        // A few seconds of a match in a layout; then up to four damages of its lines, and in a third of the files also of its bytes.
         int count = random.Below(250) + 1;
         int from = random.Below(Math.Max(1, match.Seen.Count - count));
-        List<string> lines = ["t,x,y,z"];
-        lines.AddRange(match.Seen.Skip(from).Take(count).Select(point => FormattableString.Invariant($"{point.Time:0.####},{point.Position.X:0.####},{-point.Position.Z:0.####},{point.Position.Y:0.####}")));
-        for (int damages = random.Below(6) + 1; damages > 0; damages--)
+        char separator = TrackLayoutText.Separator(layout);
+        List<string> lines = TrackLayoutText.Write(layout, [.. match.Seen.Skip(from).Take(count)], random);
+        for (int damages = random.Below(5); damages > 0; damages--)
         {
             int at = random.Below(lines.Count);
-            switch (random.Below(14))
+            switch (random.Below(17))
             {
                 case 0:
                     lines[at] = "";
@@ -75,7 +127,7 @@ internal sealed class DamagedTracks
                     lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,");
                     break;
                 case 7:
-                    Columns(lines, line => string.Join(',', line.Split(',').Reverse()));
+                    Columns(lines, line => string.Join(separator, line.Split(separator).Reverse()));
                     break;
                 case 8:
                     Columns(lines, line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
@@ -93,13 +145,28 @@ internal sealed class DamagedTracks
                     lines.RemoveAll(_ => random.Chance(0.5));
                     lines.Add("t,x,y,z");
                     break;
+                case 13:
+                    // A column twice.
+                    int twice = random.Below(4);
+                    Columns(lines, line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
+                    break;
+                case 14:
+                    // All lines in another order, or twice.
+                    lines = random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines];
+                    break;
+                case 15:
+                    // Two layouts in a file.
+                    lines.AddRange(TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random));
+                    break;
                 default:
                     lines[at] = Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)]);
                     break;
             }
         }
 
-        return Encoding.UTF8.GetBytes(string.Join(random.Any("\n", "\r\n", "\r"), lines));
+        string text = string.Join(random.Any("\n", "\r\n", "\r"), lines);
+        byte[] bytes = random.Chance(0.1) ? [.. Encoding.Unicode.GetPreamble(), .. Encoding.Unicode.GetBytes(text)] : Encoding.UTF8.GetBytes(text);
+        return random.Chance(1.0 / 3) ? FuzzBytes.Changed(random, bytes, 1 + random.Below(6)) : bytes;
     }
 
     private static void Columns(List<string> lines, Func<string, string> change)
