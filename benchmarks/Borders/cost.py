@@ -34,3 +34,4 @@ for _ in range(200):
         position = many.position
     read = min(read, (time.perf_counter() - start) * 1e6)
 print(f"| Python, reading `position` of 4 096 balls | {read:.0f} |")
+print(f"\nPython, 4 096 balls: {4096e3 / batch:.1f} million steps per second on one core")
