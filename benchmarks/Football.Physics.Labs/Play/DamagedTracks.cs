@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Text;
 using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Scenarios.Input;
@@ -13,6 +12,8 @@ internal sealed class DamagedTracks
 {
     private static readonly InputFields s_noFields = new(System.Text.Json.JsonDocument.Parse("{}").RootElement);
 
+    private int _files;
+
     /// <summary>The number of files that were read and fitted.</summary>
     public int Fitted { get; private set; }
 
@@ -22,8 +23,11 @@ internal sealed class DamagedTracks
     /// <summary>The number of files that were read and that the fit rejected.</summary>
     public int NotFitted { get; private set; }
 
-    /// <summary>The longest time that a file took, s.</summary>
+    /// <summary>The longest processor time that a file took, s.</summary>
     public double Slowest { get; private set; }
+
+    /// <summary>The index of that file, from 0.</summary>
+    public int SlowestFile { get; private set; }
 
     /// <summary>What should not happen.</summary>
     public List<string> Faults { get; } = [];
@@ -34,7 +38,7 @@ internal sealed class DamagedTracks
         int layout = random.Below(TrackLayoutText.Count);
         byte[] file = Damage(random, match, layout);
         TrackFormat format = random.Chance(0.1) ? new TrackFormat { Rate = 25, IsYDown = true, Unit = random.Any("m", "cm", "ft") } : new TrackFormat { Rate = TrackLayoutText.HasFrames(layout) ? 50 : null };
-        long start = Stopwatch.GetTimestamp();
+        double start = Environment.CpuUsage.UserTime.TotalSeconds;
         try
         {
             if (Read(file, format) is { } track)
@@ -47,7 +51,13 @@ internal sealed class DamagedTracks
             Faults.Add($"{fault.GetType().Name}: {fault.Message} {fault.StackTrace?.Split('\n')[0].Trim()}");
         }
 
-        Slowest = Math.Max(Slowest, Stopwatch.GetElapsedTime(start).TotalSeconds);
+        double took = Environment.CpuUsage.UserTime.TotalSeconds - start;
+        if (took > Slowest)
+        {
+            (Slowest, SlowestFile) = (took, _files);
+        }
+
+        _files++;
     }
 
     private TrackPoint[]? Read(byte[] file, TrackFormat format)
