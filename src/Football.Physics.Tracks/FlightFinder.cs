@@ -86,7 +86,7 @@ internal sealed class FlightFinder
     public List<int> Ends { get; } = [];
 
     /// <summary>Finds the flights, in order of time.</summary>
-    public List<FlightPath> Find(CancellationToken cancellation)
+    public List<FlightPath> Find(FitWatch watch)
     {
         // 1. The best division into cubics. 2. Those that fall. 3. Join neighbours that are one flight. With tiny waits between points, their number
         // in the longest segment may exceed an int, so limit it to the length of the track.
@@ -95,26 +95,26 @@ internal sealed class FlightFinder
         int first = 0;
         foreach (int end in _runs.Ends)
         {
-            cancellation.ThrowIfCancellationRequested();
-            segments.Divide(first, end, Ends);
+            watch.Check();
+            segments.Divide(first, end, Ends, watch);
             first = end;
         }
 
         List<FlightPath> flights = [];
-        Take(Ends, 0, flights, cancellation);
-        JoinNeighbours(flights, cancellation);
-        FindHops(flights, longest, cancellation);
+        Take(Ends, 0, flights, watch);
+        JoinNeighbours(flights, watch);
+        FindHops(flights, longest, watch);
         return flights;
     }
 
     /// <summary>Adds the segments that are flights.</summary>
-    private void Take(List<int> ends, int first, List<FlightPath> flights, CancellationToken cancellation)
+    private void Take(List<int> ends, int first, List<FlightPath> flights, FitWatch watch)
     {
         foreach (int end in ends)
         {
-            cancellation.ThrowIfCancellationRequested();
+            watch.Check();
             var flight = new FlightPath(first, end);
-            if (Falls(first, end) && Fit(flight, null))
+            if (Falls(first, end) && Fit(flight, null, watch))
             {
                 flights.Add(flight);
             }
@@ -124,7 +124,7 @@ internal sealed class FlightFinder
     }
 
     /// <summary>Divides the rest of the track more finely, to find hops; a single cubic fits several hops to within centimetres.</summary>
-    private void FindHops(List<FlightPath> flights, int longest, CancellationToken cancellation)
+    private void FindHops(List<FlightPath> flights, int longest, FitWatch watch)
     {
         var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest, HopPrice);
         List<int> all = [];
@@ -140,8 +140,8 @@ internal sealed class FlightFinder
                 if (end > from)
                 {
                     List<int> ends = [];
-                    fine.Divide(from, end, ends);
-                    Take(ends, from, hops, cancellation);
+                    fine.Divide(from, end, ends, watch);
+                    Take(ends, from, hops, watch);
                     all.AddRange(ends);
                     from = end;
                 }
@@ -161,19 +161,19 @@ internal sealed class FlightFinder
     }
 
     /// <summary>Joins neighbours that are one flight of a given ball.</summary>
-    public void JoinBy(SharedFit fit, List<FlightPath> flights, CancellationToken cancellation)
+    public void JoinBy(SharedFit fit, List<FlightPath> flights, FitWatch watch)
     {
         // Fit the launches only, in the scene that was found.
         _fits = [new SharedFit(_system, new MatchModel(fit.At.Scene with { Ground = _scene.Ground }, Nothing))];
-        JoinNeighbours(flights, cancellation);
+        JoinNeighbours(flights, watch);
     }
 
-    private void JoinNeighbours(List<FlightPath> flights, CancellationToken cancellation)
+    private void JoinNeighbours(List<FlightPath> flights, FitWatch watch)
     {
         for (int i = 0; i + 1 < flights.Count;)
         {
-            cancellation.ThrowIfCancellationRequested();
-            if (Join(flights[i], flights[i + 1]) is { } joint)
+            watch.Check();
+            if (Join(flights[i], flights[i + 1], watch) is { } joint)
             {
                 flights[i] = joint;
                 flights.RemoveAt(i + 1);
@@ -211,7 +211,7 @@ internal sealed class FlightFinder
     }
 
     /// <summary>Fits a single flight, with each of the trial balls, and keeps the best.</summary>
-    private bool Fit(FlightPath flight, double[]? start)
+    private bool Fit(FlightPath flight, double[]? start, FitWatch watch)
     {
         double[] best = flight.Values;
         SharedFit? found = null;
@@ -219,7 +219,7 @@ internal sealed class FlightFinder
         foreach (SharedFit fit in _fits)
         {
             flight.Values = start is null ? Start(flight) : (double[])start.Clone();
-            fit.Descend([flight], [1], CancellationToken.None);
+            fit.Descend([flight], [1], watch);
             if (flight.Rms < least)
             {
                 (least, best, found) = (flight.Rms, flight.Values, fit);
@@ -244,7 +244,7 @@ internal sealed class FlightFinder
     }
 
     /// <summary>Returns two flights as one if a single flight explains both; otherwise null.</summary>
-    private FlightPath? Join(FlightPath a, FlightPath b)
+    private FlightPath? Join(FlightPath a, FlightPath b, FitWatch watch)
     {
         TrackPoint[] track = _runs.Points;
         if (b.First - a.End > Between || _runs.IsGap(track[a.End - 1].Time, track[a.End].Time) || _runs.IsGap(track[b.First - 1].Time, track[b.First].Time))
@@ -262,7 +262,7 @@ internal sealed class FlightFinder
 
         var joint = new FlightPath(a.First, b.End);
         double apart = ((a.Count * a.Rms * a.Rms) + (b.Count * b.Rms * b.Rms)) / (a.Count + b.Count);
-        bool fits = Fit(joint, a.Values);
+        bool fits = Fit(joint, a.Values, watch);
         return fits && joint.Rms * joint.Rms < (JointShare * apart) + (JointError * JointError) ? joint : null;
     }
 

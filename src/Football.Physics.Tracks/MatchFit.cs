@@ -23,6 +23,9 @@ public sealed class MatchFit
     /// <summary>The height above the ground at which a point should belong to a flight, in m.</summary>
     private const double High = 0.5;
 
+    /// <summary>The usual number of checks for a cancellation in a part of the fit, per point of the track.</summary>
+    private const double ChecksPerPoint = 3;
+
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
 
     private readonly Scene _scene;
@@ -40,8 +43,8 @@ public sealed class MatchFit
     /// <param name="track">The observed positions, in order of time; at least eight points. The noise of a point is a minimum; the actual noise is
     /// estimated from the track.</param>
     /// <param name="request">The parameters to estimate; default: wind, drag, surface and height.</param>
-    /// <param name="progress">Receives the progress, 0 … 1.</param>
-    /// <param name="cancellation">Cancels the fit.</param>
+    /// <param name="progress">Receives the progress, 0 … 1, at least once per flight and search step, in the calling thread. It may cancel the fit.</param>
+    /// <param name="cancellation">Cancels the fit; checked after each report.</param>
     /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="OperationCanceledException">The fit was cancelled.</exception>
@@ -51,33 +54,35 @@ public sealed class MatchFit
         // ball, and fit again. 5. Find the ground height, and the events between flights. 6. Estimate the surface from impacts, slides and rolls.
         request ??= new MatchFitRequest();
         Validate(track, request);
+        var watch = new FitWatch(progress, ChecksPerPoint * track.Length, cancellation);
+        watch.Start(0.4);
         var runs = new TrackRuns(track);
         var equations = new FlightEquations(runs.Points, Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError)), request.SpinDeviation);
         var finder = new FlightFinder(runs, _scene, equations);
-        List<FlightPath> flights = finder.Find(cancellation);
-        progress?.Report(0.4);
+        List<FlightPath> flights = finder.Find(watch);
+        watch.Start(0.7);
 
         List<FlightPath> told = Told(runs, flights);
         var model = new MatchModel(_scene, request);
-        SharedFit fit = Best(equations, model, told, SharedFit.Shares(told), cancellation);
-        progress?.Report(0.7);
-        finder.JoinBy(fit, flights, cancellation);
+        SharedFit fit = Best(equations, model, told, SharedFit.Shares(told), watch);
+        watch.Start(0.95);
+        finder.JoinBy(fit, flights, watch);
         told = Told(runs, flights);
-        TryOtherSpins(fit, equations, told, cancellation);
+        TryOtherSpins(fit, equations, told, watch);
         double[] shares = SharedFit.Shares(told);
-        fit.Descend(told, shares, cancellation);
+        fit.Descend(told, shares, watch);
         List<FlightPath> brief = flights.FindAll(f => !told.Contains(f));
-        FitShort(fit, equations, brief, cancellation);
-        fit.MeasureUncertainty(told, shares);
+        FitShort(fit, equations, brief, watch);
+        fit.MeasureUncertainty(told, shares, watch);
         double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
         equations.Contact = contact;
-        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], cancellation));
-        fit.Descend(told, shares, cancellation);
-        fit.MeasureUncertainty(told, shares);
-        FitShort(fit, equations, brief, cancellation);
-        progress?.Report(0.95);
+        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], watch));
+        fit.Descend(told, shares, watch);
+        fit.MeasureUncertainty(told, shares, watch);
+        FitShort(fit, equations, brief, watch);
+        watch.Start(1);
         MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit, contact, heightDeviation);
-        progress?.Report(1);
+        watch.Finish();
         return result;
     }
 
@@ -94,13 +99,13 @@ public sealed class MatchFit
         flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestTold);
 
     /// <summary>Fits short flights with the ball and wind from the other flights.</summary>
-    private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
+    private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, FitWatch watch)
     {
         var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
         foreach (FlightPath flight in flights)
         {
-            alone.Descend([flight], [1], cancellation);
-            alone.MeasureUncertainty([flight], [1]);
+            alone.Descend([flight], [1], watch);
+            alone.MeasureUncertainty([flight], [1], watch);
         }
     }
 
@@ -181,15 +186,21 @@ public sealed class MatchFit
 
     private static double Covered(TrackPoint[] track, List<FlightPath> told, double ground)
     {
+        // The flights are in order of time and do not overlap.
         int high = 0;
         int covered = 0;
+        int flight = 0;
         for (int i = 0; i < track.Length; i++)
         {
+            while (flight < told.Count && told[flight].End <= i)
+            {
+                flight++;
+            }
+
             if (track[i].Position.Y > ground + High)
             {
-                int at = i;
                 high++;
-                covered += told.Exists(f => f.First <= at && at < f.End) ? 1 : 0;
+                covered += flight < told.Count && told[flight].First <= i ? 1 : 0;
             }
         }
 
@@ -197,7 +208,7 @@ public sealed class MatchFit
     }
 
     /// <summary>Fits poor flights again from other spins: strong and weak spin can slow a ball alike in different air.</summary>
-    private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
+    private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, FitWatch watch)
     {
         var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
         foreach (FlightPath flight in flights)
@@ -219,7 +230,7 @@ public sealed class MatchFit
                 double[] start = (double[])begin.Clone();
                 (start[6], start[7], start[8]) = (spin.X, spin.Y, spin.Z);
                 flight.Values = start;
-                alone.Descend([flight], [1], cancellation);
+                alone.Descend([flight], [1], watch);
                 if (flight.Rms < least)
                 {
                     least = flight.Rms;
@@ -234,7 +245,7 @@ public sealed class MatchFit
 
     /// <summary>Returns the best of several fits from different drag crises, because a crisis on either side of the speeds can slow a ball
     /// alike.</summary>
-    private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, CancellationToken cancellation)
+    private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, FitWatch watch)
     {
         SharedFit? best = null;
         var launches = new double[flights.Count][];
@@ -252,7 +263,7 @@ public sealed class MatchFit
             }
 
             var fit = new SharedFit(equations, model, start);
-            fit.Descend(flights, shares, cancellation);
+            fit.Descend(flights, shares, watch);
             if (best is null || fit.Cost < best.Cost)
             {
                 best = fit;

@@ -62,8 +62,8 @@ internal sealed class SharedFit
     /// <summary>Minimises the cost.</summary>
     /// <param name="flights">The flights; their launches are both start and result.</param>
     /// <param name="shares">The weight of each flight in the shared parameters.</param>
-    /// <param name="cancellation">Cancels the search.</param>
-    public void Descend(IReadOnlyList<FlightPath> flights, double[] shares, CancellationToken cancellation)
+    /// <param name="watch">Cancels the search.</param>
+    public void Descend(IReadOnlyList<FlightPath> flights, double[] shares, FitWatch watch)
     {
         // 1. The normal equations of every flight. 2. Solve the reduced system for the shared parameters, then for each launch. 3. Accept a lower
         // cost; otherwise retry with more damping.
@@ -83,14 +83,14 @@ internal sealed class SharedFit
         bool fresh = true;
         for (int step = 0; step < MostSteps && flights.Count > 0; step++)
         {
-            cancellation.ThrowIfCancellationRequested();
+            watch.Check();
             if (fresh)
             {
-                Cost = cost = Evaluate(flights, shares, normals, gradients);
+                Cost = cost = Evaluate(flights, shares, normals, gradients, watch);
                 fresh = false;
             }
 
-            double tried = Try(flights, shares, normals, gradients, damping, changed, launches, out Simulator? there);
+            double tried = Try(flights, shares, normals, gradients, damping, changed, launches, watch, out Simulator? there);
             if (tried < cost)
             {
                 bool done = cost - tried < LeastGain * cost;
@@ -149,7 +149,7 @@ internal sealed class SharedFit
 
     /// <summary>Estimates the covariances of launches and shared parameters, from the scatter of each flight's residuals and their
     /// autocorrelation.</summary>
-    public void MeasureUncertainty(IReadOnlyList<FlightPath> flights, double[] shares)
+    public void MeasureUncertainty(IReadOnlyList<FlightPath> flights, double[] shares, FitWatch watch)
     {
         var normals = new double[flights.Count][];
         var gradients = new double[flights.Count][];
@@ -161,7 +161,7 @@ internal sealed class SharedFit
             told[i] = shares[i] / Inflation(flights[i]);
         }
 
-        Evaluate(flights, shares, normals, gradients);
+        Evaluate(flights, shares, normals, gradients, watch);
         double[] s = new double[_shared * _shared];
         double[] unused = new double[_shared];
         AddKnown(s, unused);
@@ -206,7 +206,7 @@ internal sealed class SharedFit
         }
     }
 
-    private double Evaluate(IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients)
+    private double Evaluate(IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, FitWatch watch)
     {
         var shared = new Simulator[_shared];
         double[] differences = new double[_shared];
@@ -222,6 +222,7 @@ internal sealed class SharedFit
         double cost = KnownCost(Values);
         for (int i = 0; i < flights.Count; i++)
         {
+            watch.Check();
             cost += shares[i] * _system.Normal(At, shared, differences, flights[i], normals[i], gradients[i]);
         }
 
@@ -231,7 +232,8 @@ internal sealed class SharedFit
     /// <summary>Computes a damped step.</summary>
     /// <returns>The cost after the step.</returns>
     private double Try(
-        IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, double damping, double[] changed, double[][] launches, out Simulator? there)
+        IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, double damping, double[] changed, double[][] launches, FitWatch watch,
+        out Simulator? there)
     {
         double[] s = new double[_shared * _shared];
         double[] right = new double[_shared];
@@ -275,6 +277,7 @@ internal sealed class SharedFit
         double cost = KnownCost(changed);
         for (int f = 0; f < flights.Count; f++)
         {
+            watch.Check();
             for (int i = 0; i < Launch; i++)
             {
                 double sum = flights[f].Values[i];

@@ -30,6 +30,9 @@ public sealed class TrackFit
     /// <summary>The distance below which two minima are the same, in standard deviations of the spin.</summary>
     private const double Apart = 3;
 
+    /// <summary>The usual number of simulated paths in a part of the fit.</summary>
+    private const double Checks = 300;
+
     private readonly Scene _scene;
 
     /// <summary>Creates a fit for tracks of balls in a scene.</summary>
@@ -46,12 +49,22 @@ public sealed class TrackFit
     /// <param name="request">Additional parameters to estimate, and prior knowledge; default none.</param>
     /// <exception cref="ArgumentNullException"><paramref name="track"/>, or a ball of the request, is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
-    public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
+    public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null) => Find(track, request, null, default);
+
+    /// <summary>Estimates the launch of a track, with progress and cancellation.</summary>
+    /// <param name="track">The observed positions, in order of time; at least four points. The launch is at the first point.</param>
+    /// <param name="request">Additional parameters to estimate, and prior knowledge; null for none.</param>
+    /// <param name="progress">Receives the progress, 0 … 1, once per simulated path, in the calling thread. It may cancel the fit. Null for none.</param>
+    /// <param name="cancellation">Cancels the fit; checked after each report.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/>, or a ball of the request, is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
+    /// <exception cref="OperationCanceledException">The fit was cancelled.</exception>
+    public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request, IProgress<double>? progress, CancellationToken cancellation)
     {
         Check.Given(nameof(track), track);
         request ??= new TrackFitRequest();
         request.Validate();
-        return Find(new PositionSightings(track), request);
+        return Find(new PositionSightings(track), request, new FitWatch(progress, Checks, cancellation));
     }
 
     /// <summary>Estimates the launch of a ball from pixels of one or more cameras.</summary>
@@ -66,20 +79,35 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">
     /// A number is out of range, or the ball is behind a camera; the message names the field, the value and the range.
     /// </exception>
-    public TrackFitResult Find(TrackCamera[] cameras, PixelPoint[] track, TrackFitRequest? request = null)
+    public TrackFitResult Find(TrackCamera[] cameras, PixelPoint[] track, TrackFitRequest? request = null) => Find(cameras, track, request, null, default);
+
+    /// <summary>Estimates the launch of a ball from pixels of one or more cameras, with progress and cancellation.</summary>
+    /// <param name="cameras">The cameras, at least one.</param>
+    /// <param name="track">The observed pixels, in order of time; at least five points. The launch is at the first point.</param>
+    /// <param name="request">Additional parameters to estimate, and prior knowledge; null for none.</param>
+    /// <param name="progress">Receives the progress, 0 … 1, once per simulated path, in the calling thread. It may cancel the fit. Null for none.</param>
+    /// <param name="cancellation">Cancels the fit; checked after each report.</param>
+    /// <exception cref="ArgumentNullException">An argument, a camera, or a ball of the request is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A number is out of range, or the ball is behind a camera; the message names the field, the value and the range.
+    /// </exception>
+    /// <exception cref="OperationCanceledException">The fit was cancelled.</exception>
+    public TrackFitResult Find(TrackCamera[] cameras, PixelPoint[] track, TrackFitRequest? request, IProgress<double>? progress, CancellationToken cancellation)
     {
         Check.Given(nameof(cameras), cameras);
         Check.Given(nameof(track), track);
         request ??= new TrackFitRequest();
         request.Validate();
-        return Find(new PixelSightings(cameras, track), request);
+        return Find(new PixelSightings(cameras, track), request, new FitWatch(progress, Checks, cancellation));
     }
 
-    private TrackFitResult Find(Sightings seen, TrackFitRequest request)
+    private TrackFitResult Find(Sightings seen, TrackFitRequest request, FitWatch watch)
     {
         // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
         // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
-        TrackSearch best = Search(seen, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
+        watch.Start(0.4);
+        TrackSearch best = Search(seen, request, watch, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
+        watch.Start(0.7);
         bool converged = best.Measure(values);
         bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
         if (isAmbiguous)
@@ -87,25 +115,27 @@ public sealed class TrackFit
             AddRival(best.Covariance, values, rivals!, rival!.Cost - best.Cost);
         }
 
+        watch.Start(1);
         var result = new TrackFitResult(
             best.Model, values, best.Covariance, seen, best.ChiSquared(values), steps + best.Steps, converged)
         {
             OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
-            ByBall = WithOtherBalls(seen, request, best.Cost),
+            ByBall = WithOtherBalls(seen, request, best.Cost, watch),
         };
-        RefuseBehind(seen, request, result);
+        RefuseBehind(seen, request, result, watch);
+        watch.Finish();
         return result;
     }
 
     /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
-    private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result)
+    private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result, FitWatch watch)
     {
         if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite)
         {
             return;
         }
 
-        TrackSearch search = Search(opposite, request, out double[] values, out _, out _, out _);
+        TrackSearch search = Search(opposite, request, watch, out double[] values, out _, out _, out _);
         if (!new TrackFitResult(search.Model, values, search.Covariance, opposite, search.ChiSquared(values), 0, true).IsPoor)
         {
             throw seen.Unseen(request, _scene);
@@ -114,12 +144,12 @@ public sealed class TrackFit
 
     /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
     /// <returns>The best fit with its parameters and, if others were tried, the second best with its own.</returns>
-    private TrackSearch Search(Sightings seen, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
+    private TrackSearch Search(Sightings seen, TrackFitRequest request, FitWatch watch, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
     {
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
         steps = 0;
         values = seen.Start(launch, launch.Spin, _scene, out _) ?? throw seen.Unseen(launch, _scene);
-        TrackSearch best = Descend(seen, launch, request, ref values, ref steps);
+        TrackSearch best = Descend(seen, launch, request, watch, ref values, ref steps);
         bool bounces = Bounces(values, seen.Duration);
         rival = null;
         rivals = null;
@@ -135,7 +165,7 @@ public sealed class TrackFit
 
             tried++;
             double[] other = start;
-            TrackSearch found = Descend(seen, launch, request, ref other, ref steps);
+            TrackSearch found = Descend(seen, launch, request, watch, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
                 (best, found) = (found, best);
@@ -223,12 +253,12 @@ public sealed class TrackFit
 
     /// <summary>Fits the other balls, each from the start: the best parameters of a wrong ball may lie near another minimum of the right
     /// one.</summary>
-    private List<TrackFitByBall> WithOtherBalls(Sightings seen, TrackFitRequest request, double cost)
+    private List<TrackFitByBall> WithOtherBalls(Sightings seen, TrackFitRequest request, double cost, FitWatch watch)
     {
         var all = new List<TrackFitByBall>();
         foreach (BallProperties ball in request.OtherBalls)
         {
-            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(seen, request, out double[] found, out _, out _, out _);
+            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(seen, request, watch, out double[] found, out _, out _, out _);
             all.Add(new TrackFitByBall(ball, found, other.ChiSquared(found), other.Cost - cost));
         }
 
@@ -236,14 +266,14 @@ public sealed class TrackFit
     }
 
     /// <summary>Minimises over the launch only, and then over the factors too.</summary>
-    private TrackSearch Descend(Sightings seen, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
+    private TrackSearch Descend(Sightings seen, TrackFitRequest launch, TrackFitRequest request, FitWatch watch, ref double[] values, ref int steps)
     {
-        var search = new TrackSearch(seen, launch, new TrackModel(_scene, launch));
+        var search = new TrackSearch(seen, launch, new TrackModel(_scene, launch), watch);
         search.Descend(values);
         if (request != launch)
         {
             steps += search.Steps;
-            search = new TrackSearch(seen, request, new TrackModel(_scene, request));
+            search = new TrackSearch(seen, request, new TrackModel(_scene, request), watch);
             double[] all = new double[search.Model.Count];
             all.AsSpan().Fill(1);
             Array.Copy(values, all, values.Length);

@@ -155,10 +155,12 @@ internal sealed class TrackPaths
     private readonly Sightings _seen;
     private readonly TrackFitRequest _request;
     private readonly TrackModel _model;
+    private readonly FitWatch? _watch;
     private readonly StepLog _log = new();
 
-    public TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model)
+    public TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model, FitWatch? watch = null)
     {
+        _watch = watch;
         _seen = seen;
         _request = request;
         _model = model;
@@ -171,6 +173,7 @@ internal sealed class TrackPaths
     /// <returns>The cost: the squared residuals plus the prior.</returns>
     public double Follow(double[] values, double[] misses)
     {
+        _watch?.Check();
         Simulator simulator = _model.Simulator(values);
         BallState ball = TrackModel.Ball(simulator, values);
         (values[0], values[1], values[2]) = (ball.Position.X, ball.Position.Y, ball.Position.Z);

@@ -43,10 +43,10 @@ internal sealed class TrackSearch
     private bool _isFound;
     private bool _hasAxes;
 
-    public TrackSearch(Sightings seen, TrackFitRequest request, TrackModel model)
+    public TrackSearch(Sightings seen, TrackFitRequest request, TrackModel model, FitWatch watch)
     {
         Model = model;
-        _paths = new TrackPaths(seen, request, model);
+        _paths = new TrackPaths(seen, request, model, watch);
         _secants = new TrackSecants(_paths, model);
         _count = model.Count;
         _step = new double[_count];

@@ -12,6 +12,9 @@ internal sealed class TrackSegments
 
     private const int Shortest = 5;
 
+    /// <summary>The number of points between two checks for a cancellation.</summary>
+    private const int PointsPerCheck = 64;
+
     private readonly TrackPoint[] _track;
     private readonly double _perVariance;
     private readonly double _price;
@@ -46,7 +49,8 @@ internal sealed class TrackSegments
     /// <param name="first">The first point.</param>
     /// <param name="end">The index after the last point.</param>
     /// <param name="ends">Receives the exclusive end of each segment, in order.</param>
-    public void Divide(int first, int end, List<int> ends)
+    /// <param name="watch">Cancels the division; default none.</param>
+    public void Divide(int first, int end, List<int> ends, FitWatch? watch = null)
     {
         int count = end - first;
         double[] least = new double[count + 1];
@@ -54,6 +58,11 @@ internal sealed class TrackSegments
         least.AsSpan(1).Fill(double.PositiveInfinity);
         for (int start = 0; start < count; start++)
         {
+            if (start % PointsPerCheck == 0)
+            {
+                watch?.Check();
+            }
+
             // All segments that begin here: their moments grow by one point at a time.
             Clear();
             int last = Math.Min(count, start + _longest);
