@@ -88,6 +88,10 @@ quietly "refusals.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/refu
 "$work/refusals" > "$work/said" 2> "$log" || fail "refusals.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said")"
 
+quietly "cancel.c" gcc -O1 -g -std=c99 -D_DEFAULT_SOURCE -pthread -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/cancel.c -o "$work/cancel" "${link[@]}"
+ASAN_OPTIONS=$sanitizers "$work/cancel" > "$work/said" 2> "$log" || fail "cancel.c: $(tail -n 1 "$work/said")"
+ok "$(tail -n 1 "$work/said"), under sanitizers"
+
 quietly "unload.c" gcc -O2 -std=c99 -D_GNU_SOURCE -Wall -Wextra -Werror tests/Native/unload.c -o "$work/unload" -ldl
 "$work/unload" "$library" > "$work/said" 2> "$log" || fail "unload.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said")"

@@ -17,7 +17,34 @@ internal static unsafe partial class Exports
     /// <returns>FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_fit")]
     public static NativeStatus Fit(
-        [In] NativeScene* scene, [In] double* times, [In] double* positions, [In] double* noise, long n, [In] byte* requestJson, long bytes, NativeFitResult* @out)
+        [In] NativeScene* scene, [In] double* times, [In] double* positions, [In] double* noise, long n, [In] byte* requestJson, long bytes, NativeFitResult* @out) =>
+        FindLaunch(scene, times, positions, noise, n, requestJson, bytes, @out, null);
+
+    /// <summary>The same as fp_fit, with progress and cancellation.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="times">As for fp_fit, like all parameters up to out.</param>
+    /// <param name="positions">n rows x, y, z, m.</param>
+    /// <param name="noise">n standard deviations, m; null for 0.02 m.</param>
+    /// <param name="n">The number of points.</param>
+    /// <param name="requestJson">The request.</param>
+    /// <param name="bytes">Its length in bytes.</param>
+    /// <param name="out">Receives the result.</param>
+    /// <param name="watch">Shows the progress, and cancels the call; null for neither.</param>
+    /// <returns>As fp_fit; FP_CANCELLED if watch cancelled the call.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_fit_watched")]
+    public static NativeStatus FitWatched(
+        [In] NativeScene* scene,
+        [In] double* times,
+        [In] double* positions,
+        [In] double* noise,
+        long n,
+        [In] byte* requestJson,
+        long bytes,
+        NativeFitResult* @out,
+        NativeWatch* watch) => FindLaunch(scene, times, positions, noise, n, requestJson, bytes, @out, watch);
+
+    private static NativeStatus FindLaunch(
+        NativeScene* scene, double* times, double* positions, double* noise, long n, byte* requestJson, long bytes, NativeFitResult* @out, NativeWatch* watch)
     {
         try
         {
@@ -25,7 +52,8 @@ internal static unsafe partial class Exports
             Guard.Given(@out, "out");
             TrackPoint[] track = Track(times, positions, noise, n);
             TrackFitRequest request = Requests.Fit(Requests.Text(requestJson, bytes, "request_json"));
-            Put(new TrackFit(compiled.Simulator.Scene).Find(track, request), request, @out);
+            using var watched = Watch.Of(watch);
+            Put(new TrackFit(compiled.Simulator.Scene).Find(track, request, watched, watched?.Token ?? default), request, @out);
             return NativeStatus.Ok;
         }
         catch (Exception e)
@@ -64,7 +92,53 @@ internal static unsafe partial class Exports
         int capacity,
         int* count,
         NativeFitMatchResult* @out,
-        NativeScene** fitted)
+        NativeScene** fitted) => FindMatch(scene, times, positions, noise, n, requestJson, bytes, pieces, capacity, count, @out, fitted, null);
+
+    /// <summary>The same as fp_fit_match, with progress and cancellation.</summary>
+    /// <param name="scene">The scene, as known before.</param>
+    /// <param name="times">As for fp_fit_match, like all parameters up to fitted.</param>
+    /// <param name="positions">n rows x, y, z, m.</param>
+    /// <param name="noise">n minimum standard deviations, m; null for 0.02 m.</param>
+    /// <param name="n">The number of points.</param>
+    /// <param name="requestJson">The request.</param>
+    /// <param name="bytes">Its length in bytes.</param>
+    /// <param name="pieces">Receives the pieces; null if capacity is 0.</param>
+    /// <param name="capacity">The number of pieces that fit.</param>
+    /// <param name="count">Receives the number of pieces; null if it is not wanted.</param>
+    /// <param name="out">Receives the parameters; null if they are not wanted.</param>
+    /// <param name="fitted">Receives the handle of a new scene; null if it is not wanted.</param>
+    /// <param name="watch">Shows the progress, and cancels the call; null for neither.</param>
+    /// <returns>As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_fit_match_watched")]
+    public static NativeStatus FitMatchWatched(
+        [In] NativeScene* scene,
+        [In] double* times,
+        [In] double* positions,
+        [In] double* noise,
+        long n,
+        [In] byte* requestJson,
+        long bytes,
+        NativePiece* pieces,
+        int capacity,
+        int* count,
+        NativeFitMatchResult* @out,
+        NativeScene** fitted,
+        NativeWatch* watch) => FindMatch(scene, times, positions, noise, n, requestJson, bytes, pieces, capacity, count, @out, fitted, watch);
+
+    private static NativeStatus FindMatch(
+        NativeScene* scene,
+        double* times,
+        double* positions,
+        double* noise,
+        long n,
+        byte* requestJson,
+        long bytes,
+        NativePiece* pieces,
+        int capacity,
+        int* count,
+        NativeFitMatchResult* @out,
+        NativeScene** fitted,
+        NativeWatch* watch)
     {
         try
         {
@@ -77,7 +151,8 @@ internal static unsafe partial class Exports
             Guard.Room(pieces, "pieces", capacity);
             TrackPoint[] track = Track(times, positions, noise, n);
             MatchFitRequest request = Requests.MatchFit(Requests.Text(requestJson, bytes, "request_json"));
-            MatchFitResult found = new MatchFit(compiled.Simulator.Scene).Find(track, request);
+            using var watched = Watch.Of(watch);
+            MatchFitResult found = new MatchFit(compiled.Simulator.Scene).Find(track, request, watched, watched?.Token ?? default);
             if (fitted is not null)
             {
                 nuint handle = Handles.Add(new CompiledScene(found.Scene, compiled.Simulator.Settings));

@@ -124,13 +124,28 @@ internal static unsafe partial class Exports
     /// <param name="out">Receives the result.</param>
     /// <returns>FP_OK; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_goal_chance")]
-    public static NativeStatus GoalChance([In] NativeScene* scene, [In] byte* requestJson, long bytes, NativeGoalChanceResult* @out)
+    public static NativeStatus GoalChance([In] NativeScene* scene, [In] byte* requestJson, long bytes, NativeGoalChanceResult* @out) =>
+        FindChance(scene, requestJson, bytes, @out, null);
+
+    /// <summary>The same as fp_goal_chance, with progress and cancellation.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="requestJson">The request, as for fp_goal_chance.</param>
+    /// <param name="bytes">Its length in bytes.</param>
+    /// <param name="out">Receives the result.</param>
+    /// <param name="watch">Shows the progress, and cancels the call; null for neither.</param>
+    /// <returns>As fp_goal_chance; FP_CANCELLED if watch cancelled the call.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_goal_chance_watched")]
+    public static NativeStatus GoalChanceWatched([In] NativeScene* scene, [In] byte* requestJson, long bytes, NativeGoalChanceResult* @out, NativeWatch* watch) =>
+        FindChance(scene, requestJson, bytes, @out, watch);
+
+    private static NativeStatus FindChance(NativeScene* scene, byte* requestJson, long bytes, NativeGoalChanceResult* @out, NativeWatch* watch)
     {
         try
         {
             CompiledScene compiled = Guard.SceneOf(scene);
             Guard.Given(@out, "out");
-            GoalChanceResult found = Requests.GoalChance(compiled, Requests.Text(requestJson, bytes, "request_json"));
+            using var watched = Watch.Of(watch);
+            GoalChanceResult found = Requests.GoalChance(compiled, Requests.Text(requestJson, bytes, "request_json"), watched, watched?.Token ?? default);
             *@out = new NativeGoalChanceResult
             {
                 Scores = found.Scores,

@@ -235,10 +235,11 @@ internal static unsafe class Guard
         {
             HandleException => NativeStatus.Handle,
             RefusedException => NativeStatus.Scene,
+            OperationCanceledException => NativeStatus.Cancelled,
             ArgumentException or FormatException => NativeStatus.Argument,
             _ => NativeStatus.Internal,
         };
-        string sentence = exception.Message;
+        string sentence = status == NativeStatus.Cancelled ? "watch.cancel is set. The call was cancelled, and wrote no result." : exception.Message;
         int suffix = sentence.LastIndexOf(ParameterSuffix, StringComparison.Ordinal);
         return Fail(status, suffix < 0 ? sentence : sentence[..suffix]);
     }

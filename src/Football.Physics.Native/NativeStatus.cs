@@ -23,4 +23,7 @@ internal enum NativeStatus
 
     /// <summary>A fault of the library, or no memory left; what the call was to write is not to be used.</summary>
     Internal = 6,
+
+    /// <summary>The caller cancelled the call by its watch; nothing was written.</summary>
+    Cancelled = 7,
 }

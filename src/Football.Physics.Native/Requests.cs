@@ -65,13 +65,14 @@ internal static unsafe class Requests
 
     /// <summary>Reads a shot, and finds its chance to score.</summary>
     /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
-    public static GoalChanceResult GoalChance(CompiledScene scene, ReadOnlySpan<byte> json)
+    /// <exception cref="OperationCanceledException">The search was cancelled.</exception>
+    public static GoalChanceResult GoalChance(CompiledScene scene, ReadOnlySpan<byte> json, IProgress<double>? progress, CancellationToken cancellation)
     {
         InputFields fields = Fields(json);
         GoalChanceRequest request = GoalChanceInput.Request(fields.Root, scene.Simulator.Scene.Goals);
         fields.Check();
         GoalChance search = scene.TakeGoalChance();
-        GoalChanceResult found = Translated(fields, () => search.Find(request));
+        GoalChanceResult found = Translated(fields, () => search.Find(request, progress, cancellation));
         scene.GiveBack(search);
         return found;
     }

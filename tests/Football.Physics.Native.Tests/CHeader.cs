@@ -29,7 +29,7 @@ internal sealed partial class CHeader
     private static readonly Type[] s_structs =
     [
         typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives), typeof(NativeBody), typeof(NativeMatchEvent), typeof(NativePlayer), typeof(NativeInterception), typeof(NativeWindow),
-        typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult),
+        typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult), typeof(NativeWatch),
     ];
 
     private readonly StringBuilder _text = new();

@@ -31,6 +31,7 @@ public sealed partial class HeaderTests
             (144, 208, 96, 72, 72, 96, 280, 232, 248),
             (sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult),
                 sizeof(NativePiece), sizeof(NativeFitMatchResult)));
+        Assert.Equal(16, sizeof(NativeWatch));
     }
 
     [GeneratedRegex(@"^FP_API .*?(fp_\w+)\(", RegexOptions.Multiline)]

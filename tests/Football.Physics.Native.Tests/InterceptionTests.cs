@@ -18,6 +18,12 @@ public sealed unsafe class InterceptionTests
     private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, long, byte*, long, NativeFitResult*, NativeStatus> s_fit = &Exports.Fit;
     private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, long, byte*, long, NativePiece*, int, int*, NativeFitMatchResult*, NativeScene**, NativeStatus> s_fitMatch
         = &Exports.FitMatch;
+
+    private static readonly delegate* unmanaged<NativeScene*, byte*, long, NativeGoalChanceResult*, NativeWatch*, NativeStatus> s_chanceWatched = &Exports.GoalChanceWatched;
+    private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, long, byte*, long, NativeFitResult*, NativeWatch*, NativeStatus> s_fitWatched = &Exports.FitWatched;
+
+    private static readonly delegate* unmanaged<
+        NativeScene*, double*, double*, double*, long, byte*, long, NativePiece*, int, int*, NativeFitMatchResult*, NativeScene**, NativeWatch*, NativeStatus> s_fitMatchWatched = &Exports.FitMatchWatched;
     private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     [Fact]
@@ -197,6 +203,84 @@ public sealed unsafe class InterceptionTests
         Assert.Equal((estimated, expected.Flights, expected.Impacts, expected.Rms, expected.Noise), (found.Estimated, found.Flights, found.Impacts, found.Rms, found.Noise));
         Assert.Equal(new Simulator(expected.Scene).SceneHash, Guard.SceneOf(fitted).Simulator.SceneHash);
         Assert.Equal(NativeStatus.Ok, s_free(fitted));
+        Assert.Equal(NativeStatus.Ok, s_free(scene));
+    }
+
+    [Fact]
+    public void A_watched_call_has_the_same_result_and_a_cancelled_one_writes_nothing()
+    {
+        NativeScene* scene = Scene(Goal);
+        (double[] times, double[] positions) = Arrays(Track(3));
+        byte[] request = Encoding.UTF8.GetBytes("{}");
+        byte[] chance = Encoding.UTF8.GetBytes("""{"position": [0, 0, 0], "velocity": [0, 4, -20], "kicks": 600, "alwaysSimulate": true}""");
+        NativeFitResult plain, launch;
+        NativeFitMatchResult match;
+        NativeGoalChanceResult goal;
+        NativeScene* fitted;
+        int count;
+        fixed (double* t = times, p = positions)
+        fixed (byte* json = request, shot = chance)
+        {
+            Assert.Equal(NativeStatus.Ok, s_fit(scene, t, p, null, times.Length, json, 2, &plain));
+            NativeWatch watch = New();
+            Assert.Equal(NativeStatus.Ok, s_fitWatched(scene, t, p, null, times.Length, json, 2, &launch, &watch));
+            Assert.Equal((1, At(plain.Velocity), At(plain.Spin)), (watch.Progress, At(launch.Velocity), At(launch.Spin)));
+            Assert.Equal(NativeStatus.Ok, s_fitWatched(scene, t, p, null, times.Length, json, 2, &launch, null));
+            watch = New();
+            Assert.Equal(NativeStatus.Buffer, s_fitMatchWatched(scene, t, p, null, times.Length, json, 2, null, 0, null, &match, null, &watch));
+            Assert.Equal(1, watch.Progress);
+            watch = New();
+            Assert.Equal(NativeStatus.Ok, s_chanceWatched(scene, shot, chance.Length, &goal, &watch));
+            Assert.Equal((1, 600), (watch.Progress, goal.Kicks));
+
+            watch.Cancel = 1;
+            launch.Time = match.Rms = goal.Scores = -7;
+            count = -7;
+            fitted = scene;
+            Assert.Equal(NativeStatus.Cancelled, s_fitWatched(scene, t, p, null, times.Length, json, 2, &launch, &watch));
+            Assert.Equal("watch.cancel is set. The call was cancelled, and wrote no result.", Error());
+            Assert.Equal(NativeStatus.Cancelled, s_fitMatchWatched(scene, t, p, null, times.Length, json, 2, null, 0, &count, &match, &fitted, &watch));
+            Assert.Equal(NativeStatus.Cancelled, s_chanceWatched(scene, shot, chance.Length, &goal, &watch));
+            Assert.Equal((-7, -7, -7, -7, true), (launch.Time, match.Rms, goal.Scores, count, fitted is null));
+
+            watch.Bytes = 12;
+            Refused("watch.bytes is 12; allowed: 16", s_fitWatched(scene, t, p, null, times.Length, json, 2, &launch, &watch));
+        }
+
+        Assert.Equal(NativeStatus.Ok, s_free(scene));
+
+        static NativeWatch New() => new() { Bytes = sizeof(NativeWatch) };
+    }
+
+    [Fact]
+    public void Another_thread_cancels_a_fit_that_runs()
+    {
+        NativeScene* scene = Scene("{}");
+        (double[] times, double[] positions) = Arrays(Track(600));
+        byte[] request = Encoding.UTF8.GetBytes("{}");
+        NativeFitMatchResult match;
+        NativeWatch* watch = (NativeWatch*)NativeMemory.AllocZeroed((nuint)sizeof(NativeWatch));
+        watch->Bytes = sizeof(NativeWatch);
+        nint shared = (nint)watch;
+        var other = new Thread(() =>
+        {
+            while (Volatile.Read(ref ((NativeWatch*)shared)->Progress) < 0.01)
+            {
+                Thread.Sleep(1);
+            }
+
+            Volatile.Write(ref ((NativeWatch*)shared)->Cancel, 1);
+        });
+        other.Start();
+        fixed (double* t = times, p = positions)
+        fixed (byte* json = request)
+        {
+            Assert.Equal(NativeStatus.Cancelled, s_fitMatchWatched(scene, t, p, null, times.Length, json, 2, null, 0, null, &match, null, watch));
+        }
+
+        other.Join();
+        Assert.InRange(watch->Progress, 0.01, 0.9);
+        NativeMemory.Free(watch);
         Assert.Equal(NativeStatus.Ok, s_free(scene));
     }
 

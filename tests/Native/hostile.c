@@ -56,6 +56,7 @@ typedef struct {
     fp_fit_result fit;
     fp_piece pieces[BODIES];
     fp_fit_match_result match_fit;
+    fp_watch watch;
     unsigned char g12[64];
     unsigned char saved[BYTES];
     unsigned char g13[64];
@@ -223,6 +224,15 @@ static int guarded(const unsigned char *bytes)
     return 1;
 }
 
+/* A watch: mostly a right one, now and then none, cancelled, or of another size. */
+static fp_watch *watch(uint64_t *seed, fp_watch *own)
+{
+    own->bytes = seldom(seed) ? (int32_t)next(seed) : (int32_t)sizeof *own;
+    own->cancel = below(seed, 4) ? 0 : (int32_t)next(seed);
+    own->progress = 0;
+    return seldom(seed) ? NULL : own;
+}
+
 static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
 {
     char json[1024];
@@ -299,15 +309,17 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 51: return fp_match_free(match(seed));
     case 52:
         from = text(seed, chances, (int)(sizeof chances / sizeof chances[0]), json, &length);
-        return fp_goal_chance(scene(seed), from, length, seldom(seed) ? NULL : &b->chance);
+        return below(seed, 2) ? fp_goal_chance(scene(seed), from, length, seldom(seed) ? NULL : &b->chance)
+            : fp_goal_chance_watched(scene(seed), from, length, seldom(seed) ? NULL : &b->chance, watch(seed, &b->watch));
     case 53:
         track(seed, b->rows);
         from = text(seed, fits, (int)(sizeof fits / sizeof fits[0]), json, &length);
-        return fp_fit(scene(seed), b->rows, seldom(seed) ? NULL : b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : &b->fit);
+        return below(seed, 2) ? fp_fit(scene(seed), b->rows, seldom(seed) ? NULL : b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : &b->fit)
+            : fp_fit_watched(scene(seed), b->rows, seldom(seed) ? NULL : b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : &b->fit, watch(seed, &b->watch));
     case 54:
         track(seed, b->rows);
         from = text(seed, fits, (int)(sizeof fits / sizeof fits[0]), json, &length);
-        status = fp_fit_match(scene(seed), b->rows, b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : b->pieces, (int32_t)count(seed, BODIES, INT32_MAX), b->numbers, seldom(seed) ? NULL : &b->match_fit, seldom(seed) ? NULL : &made);
+        status = fp_fit_match_watched(scene(seed), b->rows, b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : b->pieces, (int32_t)count(seed, BODIES, INT32_MAX), b->numbers, seldom(seed) ? NULL : &b->match_fit, seldom(seed) ? NULL : &made, watch(seed, &b->watch));
         if (made) fp_scene_free(made);
         return status;
     default: return fp_step(scene(seed), state, dt(seed), seldom(seed) ? NULL : b->events, (int32_t)count(seed, EVENTS, INT32_MAX), seldom(seed) ? NULL : b->numbers);
@@ -343,7 +355,7 @@ static void *play(void *argument)
         before = *own;
         status = call(&seed, b, what, state);
         /* The shared ball is written by several threads at once: torn between two of them it may be anything, and is told as FP_INTERNAL at worst. */
-        if ((int)status < 0 || status > (state == &shared ? FP_INTERNAL : FP_ABI)) {
+        if ((int)status < 0 || (status > (state == &shared ? FP_INTERNAL : FP_ABI) && !(status == FP_CANCELLED && b->watch.cancel))) {
             printf("call %ld of thread %d (%d): status %d, %s\n", i, thread, what, (int)status, fp_last_error());
             failed = 1;
         } else if (status != FP_OK && !fp_last_error()[0]) {

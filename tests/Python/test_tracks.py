@@ -2,6 +2,8 @@
 
 import datetime
 import pickle
+import signal
+import threading
 import unittest
 
 import numpy as np
@@ -12,14 +14,14 @@ from stand_ins import DataFrame, Unit, VerticalOrientation, tracking_dataset
 VELOCITY, SPIN, NOISE = np.array([3.0, 8.0, -22.0]), np.array([0.0, 40.0, 0.0]), 0.01
 
 
-def fly(seconds=1.3, noise=NOISE, scene=None):
-    """A track with 50 rows a second."""
+def fly(seconds=1.3, noise=NOISE, scene=None, rate=50):
+    """A track with 50 rows a second, or another rate."""
     balls = fp.Balls(fp.Scene() if scene is None else scene, 1)
     balls.kick(None, VELOCITY, SPIN)
     rows = []
-    for _ in range(int(seconds * 50)):
+    for _ in range(int(seconds * rate)):
         rows.append([balls.time[0], *balls.position[0]])
-        balls.step(0.02)
+        balls.step(1 / rate)
     rows = np.array(rows)
     rows[:, 1:] += np.random.default_rng(3).normal(0, noise, (len(rows), 3))
     return rows
@@ -28,6 +30,15 @@ def fly(seconds=1.3, noise=NOISE, scene=None):
 def frame_of(rows, names=("t", "x", "y", "z"), time=lambda t: t):
     t, x, y, z = rows.T
     return DataFrame(zip((*names, "speed"), ([time(value) for value in t], x, -z, y, np.zeros(len(t)))))
+
+
+def long_track(minutes):
+    """A ball that is kicked every three seconds, 50 rows a second."""
+    rows = []
+    flight = fly(3, 0.01)
+    for i in range(20 * minutes):
+        rows.append(flight + [3 * i, 0, 0, 0])
+    return np.vstack(rows)
 
 
 class Tracks(unittest.TestCase):
@@ -146,6 +157,118 @@ class Fits(unittest.TestCase):
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
                 call()
+
+
+class LongCalls(unittest.TestCase):
+    """Without the interruption, the calls would take half a minute or more."""
+
+    def interrupted(self, call):
+        """Raises SIGINT while a call runs."""
+        told = [0.0]
+
+        def interrupt(value):
+            # The signal comes from another thread, once the library works.
+            if value > 0 and told[-1] == 0:
+                told.append(value)
+                thread = threading.Thread(target=signal.raise_signal, args=(signal.SIGINT,))
+                thread.start()
+                thread.join()
+
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                call(interrupt)
+        finally:
+            signal.signal(signal.SIGINT, before)
+        self.assertTrue(0 < told[-1] < 0.9, told)
+
+    @unittest.skipUnless(hasattr(signal, "raise_signal") and threading.current_thread() is threading.main_thread(), "needs the main thread")
+    def test_ctrl_c_ends_a_fit(self):
+        track = long_track(60)
+        self.interrupted(lambda progress: fp.fit_match(fp.Scene(), track, progress=progress))
+        flight = fly(20, 0.01, rate=2500)
+        self.interrupted(lambda progress: fp.fit(fp.Scene(), flight, noise=0.01, also=["drag", "lift", "restitution", "friction"], progress=progress))
+
+    @unittest.skipUnless(hasattr(signal, "raise_signal") and threading.current_thread() is threading.main_thread(), "needs the main thread")
+    def test_ctrl_c_ends_a_fit_without_a_progress(self):
+        track = long_track(60)
+        timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                fp.fit_match(fp.Scene(), track)
+        finally:
+            timer.join()
+            signal.signal(signal.SIGINT, before)
+
+    @unittest.skipUnless(hasattr(signal, "raise_signal") and threading.current_thread() is threading.main_thread(), "needs the main thread")
+    def test_ctrl_c_ends_a_chance_to_score(self):
+        goal = fp.Scene({"goals": [{"center": [0, 0, -20], "facing": [0, 0, 1]}]})
+        self.interrupted(lambda progress: fp.goal_chance(goal, [0, 0.11, 0], [2, 4, -24], spread={"azimuthDegrees": 2}, kicks=100_000_000, alwaysSimulate=True, progress=progress))
+
+    @unittest.skipUnless(hasattr(signal, "raise_signal") and threading.current_thread() is threading.main_thread(), "needs the main thread")
+    def test_ctrl_c_ends_a_run_of_many_balls_which_are_then_where_they_were(self):
+        for call in (lambda balls: balls.step(1 / 60, 1_000_000), lambda balls: balls.until_rest(1e-5, 1000)):
+            balls = fp.Balls(fp.Scene(), 3000)
+            balls.kick(None, [0, 8, -22])
+            state = balls.state
+            timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+            before = signal.signal(signal.SIGINT, signal.default_int_handler)
+            timer.start()
+            try:
+                with self.assertRaises(KeyboardInterrupt):
+                    call(balls)
+            finally:
+                timer.join()
+                signal.signal(signal.SIGINT, before)
+            self.assertEqual(state, balls.state)
+            np.testing.assert_array_equal(balls.position[0], [0, 0.11, 0])
+
+    def test_parts_have_the_bits_of_a_whole(self):
+        velocity = np.random.default_rng(1).uniform([-3, 5, -26], [3, 10, -10], (1000, 3))
+        whole, parts = (fp.Balls(fp.Scene(), 1000) for _ in range(2))
+        for balls in (whole, parts):
+            balls.kick(None, velocity, [0, 40, 0])
+        for _ in range(1000):
+            whole.step(0.01)
+        parts.step(0.01, 1000)
+        self.assertEqual(whole.state, parts.state)
+        rests = parts.until_rest(0.01, 60)
+        for i in range(0, 1000, 250):
+            one = fp.Balls(fp.Scene(), 1)
+            one.kick(None, velocity[i], [0, 40, 0])
+            one.step(0.01, 1000)
+            self.assertEqual([rests[i]], one.until_rest(0.01, 60).tolist())
+            self.assertEqual(parts.hashes[i], one.hashes[0])
+
+    def test_the_progress_goes_up_to_1_and_changes_nothing(self):
+        track, told = fly(), []
+        watched, plain = fp.fit_match(fp.Scene(), track, progress=told.append), fp.fit_match(fp.Scene(), track)
+        self.assertEqual((plain.rms, plain.values), (watched.rms, watched.values))
+        self.assertEqual(sorted(told), told)
+        self.assertEqual(1.0, told[-1])
+
+    def test_an_error_of_the_progress_cancels_the_fit(self):
+        def fail(value):
+            raise RuntimeError(f"no thread at {value >= 0}")
+
+        with self.assertRaisesRegex(RuntimeError, "no thread at True"):
+            fp.fit_match(fp.Scene(), long_track(60), progress=fail)
+
+    def test_errors_and_results_of_other_threads_are_the_same(self):
+        track, found = fly(), []
+
+        def fit():
+            with self.assertRaisesRegex(ValueError, "also is"):
+                fp.fit(fp.Scene(), track, also=["mass"])
+            found.append(fp.fit(fp.Scene(), track).velocity)
+
+        thread = threading.Thread(target=fit)
+        thread.start()
+        thread.join()
+        fit()
+        np.testing.assert_array_equal(found[0], found[1])
 
 
 if __name__ == "__main__":

@@ -33,7 +33,9 @@ typedef enum {
     /* Header and library do not belong together. */
     FP_ABI = 5,
     /* A fault of the library, or no memory left; what the call was to write is not to be used. */
-    FP_INTERNAL = 6
+    FP_INTERNAL = 6,
+    /* The caller cancelled the call by its watch; nothing was written. */
+    FP_CANCELLED = 7
 } fp_status;
 
 /* The motion of the ball, which selects the forces that act. */
@@ -459,6 +461,17 @@ typedef struct {
     int32_t windows;
 } fp_fit_match_result;
 
+/* Watches a long call: shows its progress, and cancels it. Set bytes to sizeof(fp_watch) and the other members to 0 before the call. */
+typedef struct {
+    /* sizeof(fp_watch); the call compares it with its own. */
+    int32_t bytes;
+    /* 0. Another thread or a signal handler sets it to 1 to cancel the call, which then returns FP_CANCELLED soon. A call with 1 returns at
+       once. */
+    int32_t cancel;
+    /* The progress, 0 ... 1, which the call writes and another thread may read meanwhile. */
+    double progress;
+} fp_watch;
+
 /* Checks that header and library belong together. Call it once, as FP_CHECK_ABI().
    version: FP_ABI_VERSION.
    state_bytes: sizeof(fp_state).
@@ -533,6 +546,19 @@ FP_API uint64_t fp_hash(const fp_state* state);
    Returns FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_fit(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_fit_result* out);
 
+/* The same as fp_fit, with progress and cancellation.
+   scene: The scene.
+   times: As for fp_fit, like all parameters up to out.
+   positions: n rows x, y, z, m.
+   noise: n standard deviations, m; null for 0.02 m.
+   n: The number of points.
+   request_json: The request.
+   bytes: Its length in bytes.
+   out: Receives the result.
+   watch: Shows the progress, and cancels the call; null for neither.
+   Returns As fp_fit; FP_CANCELLED if watch cancelled the call. */
+FP_API fp_status fp_fit_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_fit_result* out, fp_watch* watch);
+
 /* Divides the track of a match into flights, impacts, touches and ground contact, and estimates the wind, the ball and the surface.
    scene: The scene, as known before.
    times: n times, s, in order.
@@ -550,6 +576,23 @@ FP_API fp_status fp_fit(const fp_scene* scene, const double* times, const double
    Returns FP_OK; FP_BUFFER if there are more pieces than capacity, and all else is there; FP_SCENE if the text is rejected, FP_ARGUMENT or
    FP_HANDLE. */
 FP_API fp_status fp_fit_match(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted);
+
+/* The same as fp_fit_match, with progress and cancellation.
+   scene: The scene, as known before.
+   times: As for fp_fit_match, like all parameters up to fitted.
+   positions: n rows x, y, z, m.
+   noise: n minimum standard deviations, m; null for 0.02 m.
+   n: The number of points.
+   request_json: The request.
+   bytes: Its length in bytes.
+   pieces: Receives the pieces; null if capacity is 0.
+   capacity: The number of pieces that fit.
+   count: Receives the number of pieces; null if it is not wanted.
+   out: Receives the parameters; null if they are not wanted.
+   fitted: Receives the handle of a new scene; null if it is not wanted.
+   watch: Shows the progress, and cancels the call; null for neither.
+   Returns As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null. */
+FP_API fp_status fp_fit_match_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted, fp_watch* watch);
 
 /* Sets a player to a fit adult at the origin: reaction 0.2 s, acceleration 6 m/s^2, speed 8 m/s, reach 0.6 m, heights 0 ... 2.3 m.
    player: Receives the player.
@@ -587,6 +630,15 @@ FP_API fp_status fp_intercept_windows(const fp_scene* scene, const fp_state* sta
    out: Receives the result.
    Returns FP_OK; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_goal_chance(const fp_scene* scene, const char* request_json, int64_t bytes, fp_goal_chance_result* out);
+
+/* The same as fp_goal_chance, with progress and cancellation.
+   scene: The scene.
+   request_json: The request, as for fp_goal_chance.
+   bytes: Its length in bytes.
+   out: Receives the result.
+   watch: Shows the progress, and cancels the call; null for neither.
+   Returns As fp_goal_chance; FP_CANCELLED if watch cancelled the call. */
+FP_API fp_status fp_goal_chance_watched(const fp_scene* scene, const char* request_json, int64_t bytes, fp_goal_chance_result* out, fp_watch* watch);
 
 /* Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.
    json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass.

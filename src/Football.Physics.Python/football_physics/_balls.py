@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import enum
-from typing import Any, List, NamedTuple
+from typing import Any, Callable, List, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,6 +23,9 @@ event_dtype = np.dtype(
 
 _NATIVE_EVENT = np.dtype(event_dtype.descr[:-1])
 _DERIVATIVES = 9 * 4 + 3 * 2
+
+# The number of steps of a ball between two chances for Ctrl-C: about 20 ms.
+_MOST_STEPS = 200_000
 
 
 class Motion(enum.IntEnum):
@@ -133,7 +136,10 @@ class Balls:
         self._read()
 
     def step(self, dt: float, k: int = 1) -> None:
-        """Advances all balls by k steps of dt seconds."""
+        """Advances all balls by k steps of dt seconds. If Ctrl-C ends the call, no ball has moved."""
+        if self._n * k > _MOST_STEPS:
+            self._in_parts(max(1, _MOST_STEPS // k), lambda at, n, _: self._step_part(at, n, dt, k))
+            return
         status = _step_many(self._handle, self._at, self._n, dt, k) or _read_many(self._handle, self._at, self._n, *self._out)
         if status:
             _native.fail(status)
@@ -238,9 +244,31 @@ class Balls:
 
     def _run(self, dt: float, seconds: float, stop: int) -> NDArray[np.bool_]:
         ended = np.zeros(self._n, np.int32)
-        _native.check(_native.run_many(self._handle, self._at, self._n, dt, seconds, stop, ended.ctypes.data))
-        self._read()
+        part = max(1, int(_MOST_STEPS * min(1.0, dt / seconds))) if seconds > 0 and dt > 0 else self._n
+        if self._n > part:
+            at_ended = ended.ctypes.data
+            self._in_parts(part, lambda at, n, first: _native.check(_native.run_many(self._handle, at, n, dt, seconds, stop, at_ended + 4 * first)))
+        else:
+            _native.check(_native.run_many(self._handle, self._at, self._n, dt, seconds, stop, ended.ctypes.data))
+            self._read()
         return ended != 0
+
+    def _step_part(self, at: int, n: int, dt: float, k: int) -> None:
+        while k > 0:
+            _native.check(_step_many(self._handle, at, n, dt, min(k, _MOST_STEPS)))
+            k -= _MOST_STEPS
+
+    def _in_parts(self, size: int, advance: Callable[[int, int, int], None]) -> None:
+        """Advances the balls in parts of a size, so that Python sees Ctrl-C in between. After an exception, all balls are where they were."""
+        before = self._states.copy()
+        try:
+            for first in range(0, self._n, size):
+                advance(self._at + first * _native.STATE_BYTES, min(size, self._n - first), first)
+            self._read()
+        except BaseException:
+            self._states[...] = before
+            self._read()
+            raise
 
     def _read(self) -> None:
         _native.check(_read_many(self._handle, self._at, self._n, *self._out))

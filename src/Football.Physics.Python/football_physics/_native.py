@@ -5,6 +5,7 @@ import json
 import operator
 import pathlib
 import sys
+from typing import Optional
 
 import numpy as np
 
@@ -17,7 +18,7 @@ STATE_BYTES = 216
 BALL_BYTES = 120
 EVENT_BYTES = 160
 ABI_VERSION = 1
-OK, ARGUMENT, SCENE, BUFFER, HANDLE, ABI, INTERNAL = range(7)
+OK, ARGUMENT, SCENE, BUFFER, HANDLE, ABI, INTERNAL, CANCELLED = range(8)
 
 _P, _I, _L, _D = ctypes.c_void_p, ctypes.c_int32, ctypes.c_int64, ctypes.c_double
 
@@ -74,9 +75,9 @@ match_verify = _function("fp_match_verify", _P, _P)
 player_default = _function("fp_player_default", _P)
 intercept = _function("fp_intercept", _P, _P, _D, _P, _I, _P)
 intercept_windows = _function("fp_intercept_windows", _P, _P, _D, _P, _I, _P, _I, _P)
-goal_chance = _function("fp_goal_chance", _P, ctypes.c_char_p, _L, _P)
-fit = _function("fp_fit", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P)
-fit_match = _function("fp_fit_match", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _I, _P, _P, _P)
+goal_chance = _function("fp_goal_chance_watched", _P, ctypes.c_char_p, _L, _P, _P)
+fit = _function("fp_fit_watched", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _P)
+fit_match = _function("fp_fit_match_watched", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _I, _P, _P, _P, _P)
 
 
 def text(request) -> bytes:
@@ -98,10 +99,9 @@ def whole(value, name: str) -> int:
     return number
 
 
-def fail(status: int) -> None:
-    """Raises the error of a failed call, with the library's message."""
-    sentence = last_error().decode()
-    raise (RuntimeError if status == INTERNAL else ValueError)(sentence)
+def fail(status: int, sentence: Optional[str] = None) -> None:
+    """Raises the error of a failed call, with the library's message; default: that of the last call of this thread."""
+    raise (RuntimeError if status == INTERNAL else ValueError)(last_error().decode() if sentence is None else sentence)
 
 
 def check(status: int) -> None:

@@ -10,10 +10,13 @@ from typing import Any, Mapping, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native, _structs
+from . import _native, _structs, _watch
 from ._balls import Balls
 from ._points import Floats, column_of, is_frame, kloppy_scale, names_of, up
 from ._scene import Scene
+
+# With more kicks, a call takes long enough for its own thread.
+_LONG = 5000
 
 window_dtype = _structs.WINDOW
 """The type of a time interval in which a player can reach the ball: player; start and end, s; position, m, and velocity, m/s, of the ball at the start."""
@@ -151,13 +154,15 @@ def intercept_windows(balls: Balls, players: Any, seconds: float = 10.0, ball: i
 
 
 def goal_chance(
-    scene: Scene, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0), keeper: Optional[Players] = None, spread: Optional[Mapping[str, float]] = None, **request: Any
+    scene: Scene, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0), keeper: Optional[Players] = None, spread: Optional[Mapping[str, float]] = None,
+    progress: _watch.Progress = None, **request: Any
 ) -> GoalChance:
     """Computes the probability that a player's kick scores.
 
     scene: a scene with a goal. position, velocity, spin: (3,); m, m/s, rad/s: the intended kick.
     keeper: the goalkeeper: :class:`Players` with one player; default none.
     spread: how the kicks vary: ``speedPercent``, ``elevationDegrees``, ``azimuthDegrees``, ``spinPercent``, and their correlations.
+    progress: a function that receives the progress, 0 to 1, about 20 times per second; default none. An exception that it raises cancels the call, as Ctrl-C does.
     request: ``goal``, the index of the goal; ``kicks``, the number of kicks to simulate, at 2 to 6 microseconds each; ``seed``; ``alwaysSimulate``.
     """
     members = {"position": _vector(position, "position"), "velocity": _vector(velocity, "velocity"), "spin": _vector(spin, "spin"), **request}
@@ -168,7 +173,13 @@ def goal_chance(
     if spread is not None:
         members["spread"] = dict(spread)
     text, found = _native.text(members), np.zeros(1, _structs.GOAL_CHANCE)
-    _native.check(_native.goal_chance(scene.handle, text, len(text), found.ctypes.data))
+    kicks = request.get("kicks")
+    if progress is not None or (isinstance(kicks, (int, np.integer)) and kicks > _LONG):
+        status, sentence = _watch.call(_native.goal_chance, scene.handle, text, len(text), found.ctypes.data, keep=(scene, found), progress=progress)
+        if status:
+            _native.fail(status, sentence)
+    else:
+        _native.check(_native.goal_chance(scene.handle, text, len(text), found.ctypes.data, None))
     row = found[0]
     numbers = {name: float(row[name]) for name in (_structs.GOAL_CHANCE.names or ())[:-2]}
     return GoalChance(**numbers, method=ChanceMethod(int(row["method"])), kicks=int(row["kicks"]))

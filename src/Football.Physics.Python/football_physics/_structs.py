@@ -55,6 +55,7 @@ PIECE = _struct(
     *_integers("kind", "points"), *_numbers("start_time", "end_time", "rms", "maximum_residual"),
     *_vectors("position", "velocity", "spin", "velocity_before", "spin_before", "velocity_deviation", "spin_deviation"),
     *_numbers("restitution", "speed_retained"), *_integers("has_restitution"), _RESERVED)
+WATCH = _struct(*_integers("bytes", "cancel"), *_numbers("progress"))
 FIT_MATCH = _struct(
     ("values", "f8", 12), ("deviations", "f8", 12), *_numbers("rms", "covered", "noise", "rolling_speed", "rolling_deviation"),
     *_integers("estimated", "flights", "impacts", "windows"))

@@ -10,7 +10,7 @@ from typing import Any, Dict, Optional, Sequence, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native, _structs
+from . import _native, _structs, _watch
 from ._points import Floats, track as _track
 from ._scene import Scene
 
@@ -99,17 +99,23 @@ class MatchFit:
     windows: int
 
 
-def fit(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, **request: Any) -> Fit:
+def fit(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, progress: _watch.Progress = None, **request: Any) -> Fit:
     """Estimates the launch of a ball from its track: one flight, which may bounce.
 
     scene: the scene.
     track: rows t, x, y, z with y up, a data frame, or a tracking dataset of kloppy; see :func:`track`.
     noise: the standard deviation of the coordinates, m: one number, or one per row of the result of :func:`track`; default 0.02.
+    progress: a function that receives the progress, 0 to 1, about 20 times per second; default none. An exception that it raises cancels the fit.
     request: members of a scenario's ``fit``: ``also=["drag", "lift", "restitution", "friction"]``, ``spin``, ``spinDeviation``, ``factorDeviation``, ``timeStep``.
+
+    Ctrl-C cancels the fit. Other threads run meanwhile.
     """
     points, of_noise, text = _arguments(track, noise, request)
     found = np.zeros(1, _structs.FIT)
-    _native.check(_native.fit(scene.handle, *_addresses(points, of_noise), len(points[0]), text, len(text), found.ctypes.data))
+    status, sentence = _watch.call(
+        _native.fit, scene.handle, *_addresses(points, of_noise), len(points[0]), text, len(text), found.ctypes.data, keep=(scene, points, of_noise, found), progress=progress)
+    if status:
+        _native.fail(status, sentence)
     row = found[0]
     names = [name for name in _FACTORS if name in request.get("also", ())]
     vectors = {name: row[name].copy() for name in ("position", "velocity", "spin", "position_deviation", "velocity_deviation", "spin_deviation")}
@@ -124,13 +130,18 @@ def fit(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, **request: 
         spin_identified=(bool(identified & 64), bool(identified & 128), bool(identified & 256)))
 
 
-def fit_match(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, free: Optional[Sequence[str]] = None, **request: Any) -> MatchFit:
+def fit_match(
+    scene: Scene, track: Any, noise: Optional[ArrayLike] = None, free: Optional[Sequence[str]] = None, progress: _watch.Progress = None, **request: Any
+) -> MatchFit:
     """Divides the track of a match into flights, impacts, touches and ground contact, and estimates the wind, the ball and the surface.
 
     scene: the scene, as known before.
     track, noise: as for :func:`fit`; the noise is the smallest one.
     free: the quantities to estimate: wind, drag, crisis, lift, surface, height; default wind, drag, surface and height.
+    progress: as for :func:`fit`.
     request: ``windDeviation``, ``factorDeviation``, ``crisisDeviation``, ``spinDeviation``.
+
+    Ctrl-C cancels the fit. Other threads run meanwhile.
     """
     if free is not None:
         request["free"] = list(free)
@@ -139,10 +150,17 @@ def fit_match(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, free:
     # An impact, a touch or a gap is a piece too, between two points.
     pieces = np.zeros(4 * n + 16, piece_dtype)
     found, count, handle = np.zeros(1, _structs.FIT_MATCH), ctypes.c_int32(), ctypes.c_void_p()
-    status = _native.fit_match(
-        scene.handle, *_addresses(points, of_noise), n, text, len(text), pieces.ctypes.data, len(pieces), ctypes.byref(count), found.ctypes.data, ctypes.byref(handle))
+    try:
+        status, sentence = _watch.call(
+            _native.fit_match, scene.handle, *_addresses(points, of_noise), n, text, len(text), pieces.ctypes.data, len(pieces), ctypes.byref(count), found.ctypes.data, ctypes.byref(handle),
+            keep=(scene, points, of_noise, pieces, found), progress=progress)
+    except BaseException:
+        if handle.value:
+            _native.scene_free(handle.value)
+        raise
     fitted = Scene._of(handle.value) if handle.value else scene
-    _native.check(status)
+    if status:
+        _native.fail(status, sentence)
     row = found[0]
     estimated = [i for i in range(len(_PARAMETERS)) if int(row["estimated"]) >> i & 1]
     return MatchFit(

@@ -1,0 +1,43 @@
+namespace FootballPhysics.Native;
+
+/// <summary>Passes the progress of a long call on to C, and a cancellation from there, in the calling thread.</summary>
+internal sealed unsafe class Watch : IProgress<double>, IDisposable
+{
+    private readonly NativeWatch* _watch;
+    private readonly CancellationTokenSource _cancellation = new();
+
+    private Watch(NativeWatch* watch) => _watch = watch;
+
+    /// <summary>The watch of a call; null if the caller passes none.</summary>
+    /// <exception cref="ArgumentException">It is one of another version.</exception>
+    /// <exception cref="OperationCanceledException">It is cancelled already.</exception>
+    public static Watch? Of(NativeWatch* watch)
+    {
+        if (watch is null)
+        {
+            return null;
+        }
+
+        Guard.Within(watch->Bytes, sizeof(NativeWatch), sizeof(NativeWatch), "watch.bytes");
+        var made = new Watch(watch);
+        made.Report(0);
+        made.Token.ThrowIfCancellationRequested();
+        return made;
+    }
+
+    /// <summary>The cancellation of the call.</summary>
+    public CancellationToken Token => _cancellation.Token;
+
+    /// <inheritdoc/>
+    public void Report(double value)
+    {
+        Volatile.Write(ref _watch->Progress, value);
+        if (Volatile.Read(ref _watch->Cancel) != 0)
+        {
+            _cancellation.Cancel();
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Dispose() => _cancellation.Dispose();
+}
