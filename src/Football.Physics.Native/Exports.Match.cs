@@ -6,9 +6,9 @@ namespace FootballPhysics.Native;
 internal static unsafe partial class Exports
 {
     /// <summary>Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.</summary>
-    /// <param name="json">An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass.</param>
+    /// <param name="json">An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass. balls, a list of objects with a ball each, gives each ball its own size, mass and drag; ballContact is the material of their contacts.</param>
     /// <param name="jsonBytes">Its length in bytes, without a zero at its end; at most 1 048 576.</param>
-    /// <param name="balls">The number of balls; 1 ... 10 000.</param>
+    /// <param name="balls">The number of balls; 1 ... 10 000. If the JSON has balls, it must be their number.</param>
     /// <param name="dt">The length of a step, s; above 0, at most 1e12.</param>
     /// <param name="match">Receives the handle; null if the call fails.</param>
     /// <returns>FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT.</returns>
@@ -275,7 +275,7 @@ internal static unsafe partial class Exports
             Guard.Given(@out, "out");
             lock (played.Gate)
             {
-                *(BallState*)@out = compiled.Simulator.Continue(played.Runner.Simulator, played.Runner.StateOf(ball));
+                *(BallState*)@out = compiled.Simulator.Continue(played.SimulatorOf(ball), played.Runner.StateOf(ball));
             }
 
             return NativeStatus.Ok;

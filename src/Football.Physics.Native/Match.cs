@@ -6,7 +6,6 @@ internal sealed class Match : Handled
     private readonly Recording? _replayed;
     private readonly Vector3d[] _impulses;
     private readonly int _firstBody;
-    private readonly double _ballMass;
 
     /// <summary>Creates a match.</summary>
     /// <param name="runner">The balls, in a scene that nothing else uses.</param>
@@ -18,7 +17,6 @@ internal sealed class Match : Handled
         Bodies = runner.Simulator.Scene.Bodies ?? new KinematicBodies();
         _impulses = new Vector3d[Bodies.Count];
         _firstBody = runner.Simulator.World.ThingOfNet(0) - Bodies.Count;
-        _ballMass = runner.Simulator.Scene.Ball.Mass;
         Blob = new MatchBlob(this);
     }
 
@@ -69,7 +67,10 @@ internal sealed class Match : Handled
 
     /// <summary>The impulse on the ball in an event.</summary>
     public Vector3d Impulse(in BallEvent happened) =>
-        happened.Kind == BallEventKind.Impact ? _ballMass * (happened.Velocity - happened.VelocityBefore) : Vector3d.Zero;
+        happened.Kind == BallEventKind.Impact ? SimulatorOf(happened.Ball).Scene.Ball.Mass * (happened.Velocity - happened.VelocityBefore) : Vector3d.Zero;
+
+    /// <summary>The compiled scene of a ball, which has its own properties.</summary>
+    public Simulator SimulatorOf(int ball) => Runner.Group is { } group ? group.SimulatorOf(ball) : Runner.Simulator;
 
     /// <summary>The index of the body in an event; -1 if it is not about a body.</summary>
     public int BodyOf(in BallEvent happened)

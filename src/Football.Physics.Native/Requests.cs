@@ -21,7 +21,7 @@ internal static unsafe class Requests
 
     /// <summary>Reads, checks and compiles a scene.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
-    public static CompiledScene Scene(ReadOnlySpan<byte> json) => Read(json, hasBodies: false, (scene, settings) =>
+    public static CompiledScene Scene(ReadOnlySpan<byte> json) => Read(json, hasBodies: false, (scene, settings, _) =>
     {
         // A scene of any number of balls and threads: nothing in it may be moved by one of them.
         for (int i = 0; i < scene.Obstacles.Count; i++)
@@ -37,8 +37,8 @@ internal static unsafe class Requests
 
     /// <summary>Reads the scene of a match, and creates the match.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
-    public static Match Match(ReadOnlySpan<byte> json, int balls, double dt) => Read(json, hasBodies: true, (scene, settings) =>
-        new Match(new FixedStepRunner(new BallGroup(new Simulator(scene, settings), balls), dt, dt), null));
+    public static Match Match(ReadOnlySpan<byte> json, int balls, double dt) => Read(json, hasBodies: true, (scene, settings, kinds) =>
+        new Match(new FixedStepRunner(kinds!.Group(scene, settings, balls), dt, dt), null));
 
     /// <summary>Reads the scene of a recording, and creates a match that replays it.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
@@ -46,7 +46,7 @@ internal static unsafe class Requests
     public static Match Replay(ReadOnlySpan<byte> json, ReadOnlySpan<byte> bytes)
     {
         Recording recording = Recording.FromBytes(bytes);
-        BallGroup group = Read(json, hasBodies: true, (scene, settings) => new BallGroup(new Simulator(scene, settings), recording.Balls));
+        BallGroup group = Read(json, hasBodies: true, (scene, settings, kinds) => kinds!.Group(scene, settings, recording.Balls));
         return new Match(recording.Replay(group), recording);
     }
 
@@ -108,16 +108,17 @@ internal static unsafe class Requests
         }
     }
 
-    private static T Read<T>(ReadOnlySpan<byte> json, bool hasBodies, Func<Scene, SolverSettings, T> make)
+    private static T Read<T>(ReadOnlySpan<byte> json, bool hasBodies, Func<Scene, SolverSettings, MatchBalls?, T> make)
     {
         InputFields fields = Fields(json);
         return Translated(fields, () =>
         {
             Scene scene = SceneInput.Scene(fields.Root);
             scene = hasBodies ? scene with { Bodies = WorldInput.Bodies(fields.Root) } : scene;
+            MatchBalls? balls = hasBodies ? MatchBalls.Of(fields.Root, scene.Ball) : null;
             SolverSettings settings = SceneInput.Solver(fields.Root, out _);
             fields.Check();
-            return make(scene, settings);
+            return make(scene, settings, balls);
         });
     }
 

@@ -274,6 +274,42 @@ class Refusals(unittest.TestCase):
                 call()
 
 
+class DifferentBalls(unittest.TestCase):
+    SCENE = {"balls": [{"ball": {"type": "beachBall"}}, {}, {"ball": {"mass": 0.8}}], "ballContact": {"normalRestitution": 0.5}}
+
+    def test_each_ball_has_its_own_size_and_mass(self):
+        with fp.Match(self.SCENE) as match:
+            height = match.balls()["position"][:, 1]
+            self.assertEqual(3, len(height))
+            self.assertGreater(height[0], height[1] + 0.05)
+            match.kick(1, [-8, 0.5, -0.5])
+            events = match.step(120)
+            pair = events[(events["other_ball"] >= 0) & (events["kind"] == fp.EventKind.IMPACT)]
+            self.assertGreaterEqual(len(pair), 2)
+            np.testing.assert_allclose(pair["impulse"][0], -pair["impulse"][1], atol=1e-12)
+            mass = np.linalg.norm(pair["impulse"], axis=1) / np.linalg.norm(pair["velocity"] - pair["velocity_before"], axis=1)
+            self.assertLess(mass[list(pair["ball"]).index(0)], 0.3)
+            self.assertAlmostEqual(0.43, mass[list(pair["ball"]).index(1)], 2)
+
+    def test_a_recording_needs_the_same_balls(self):
+        with fp.Match(self.SCENE) as match:
+            match.record()
+            match.kick(0, [0, 5, -10])
+            match.step(60)
+            recording, hash_ = match.recording(), match.hash
+        again = fp.Match.replay(self.SCENE, recording)
+        again.step(60)
+        self.assertEqual(hash_, again.hash)
+        self.assertIsNone(again.verify())
+        with self.assertRaisesRegex(ValueError, "The scene differs from the recorded one"):
+            fp.Match.replay({}, recording)
+
+    def test_the_number_of_balls_is_that_of_the_scenario(self):
+        with self.assertRaisesRegex(ValueError, "balls is 3 balls; allowed: 2, the number of balls of the match"):
+            fp.Match(self.SCENE, balls=2)
+        self.assertEqual(1, len(fp.Match().balls()))
+
+
 class Threads(unittest.TestCase):
     @unittest.skipUnless(hasattr(signal, "raise_signal") and threading.current_thread() is threading.main_thread(), "needs the main thread")
     def test_ctrl_c_ends_a_long_call_between_two_steps(self):

@@ -641,9 +641,10 @@ FP_API fp_status fp_goal_chance(const fp_scene* scene, const char* request_json,
 FP_API fp_status fp_goal_chance_watched(const fp_scene* scene, const char* request_json, int64_t bytes, fp_goal_chance_result* out, fp_watch* watch);
 
 /* Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.
-   json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass.
+   json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass. balls,
+     a list of objects with a ball each, gives each ball its own size, mass and drag; ballContact is the material of their contacts.
    json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
-   balls: The number of balls; 1 ... 10 000.
+   balls: The number of balls; 1 ... 10 000. If the JSON has balls, it must be their number.
    dt: The length of a step, s; above 0, at most 1e12.
    match: Receives the handle; null if the call fails.
    Returns FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT. */

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import weakref
 from typing import Any, Mapping, Optional, Union
 
@@ -30,6 +31,16 @@ def _text(scenario: Union[str, Mapping[str, Any]]) -> bytes:
     return scenario.encode() if isinstance(scenario, str) else _native.text(scenario)
 
 
+def _balls_of(text: bytes) -> int:
+    """The number of balls of a scenario."""
+    try:
+        balls = json.loads(text).get("balls")
+    except (ValueError, AttributeError):
+        # The library rejects the text, and tells why.
+        return 1
+    return max(1, len(balls)) if isinstance(balls, list) else 1
+
+
 def _broadcast(values: ArrayLike, shape: Any, name: str) -> NDArray[Any]:
     try:
         return np.broadcast_to(np.asarray(values, np.float64), shape)
@@ -45,12 +56,14 @@ class Match:
     Parameters
     ----------
     scenario: JSON text, or a dict, with the members of a scene (see :class:`Scene`) and ``bodies``. Obstacles and bodies can have a ``mass``, kg.
-    balls: the number of balls, 1 to 10 000. They start at rest on the ground, side by side along x from the origin.
+        ``balls``, a list such as ``[{"ball": {"type": "beachBall"}}, {}]``, gives each ball its own size, mass and drag; ``ballContact`` is the material of their contacts.
+    balls: the number of balls, 1 to 10 000; default the number of ``balls`` in the scenario, or 1. They start at rest on the ground, side by side along x from the origin.
     dt: the length of a step, s.
     """
 
-    def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}", balls: int = 1, dt: float = 1 / 60) -> None:
+    def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}", balls: Optional[int] = None, dt: float = 1 / 60) -> None:
         text, handle = _text(scenario), ctypes.c_void_p()
+        balls = _balls_of(text) if balls is None else balls
         _native.check(_native.match_create(text, len(text), _native.whole(balls, "balls"), dt, ctypes.byref(handle)))
         self._own(handle, balls)
 
