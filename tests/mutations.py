@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Plays small mistakes in the library against the tests of behaviour, one at a time, in a copy: which does no test see?
+"""Applies small errors to a copy of the library, one at a time, and lists the errors that no test of behaviour detects.
 
-  tests/mutations.py [NAME...]     all of tests/mutations.json, or those named; exit code 1 where one survives
+  tests/mutations.py [NAME...]     all entries of tests/mutations.json, or the named ones; exit code 1 if one survives
 
-Each is a file, a text that stands in it exactly once (or, where the file has another name, in one other), what stands there instead, and the tests concerned.
-What those do not see all the others are asked for, but for those that run the command line or read files of the repository; golden bits (tests/Package.Tests) are
-not asked. Needs the tests to be built:
+An entry names a file, a text that occurs once in the file, the wrong text, and the tests concerned. If these tests pass, the script runs the others, except for the
+tests of the command line and of the repository's files. It does not run the golden hashes (tests/Package.Tests). Build the tests first:
 dotnet build -c Release tests/Football.Physics.Tests
 dotnet build -c Release tests/Football.Physics.Labs.Tests
 """
@@ -20,7 +19,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROJECTS = ["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
-# The library, and its parts in packages of their own: a file's place begins with the room that they are.
+# The library, and its parts in other packages: the path of a file begins with the name of the part.
 PARTS = {"": "src/Football.Physics", "Batch": "src/Football.Physics.Batch", "Engines": "src/Football.Physics.Engines", "Thesis": "src/Football.Physics.Thesis", "Tracks": "src/Football.Physics.Tracks"}
 OTHERS = "FullyQualifiedName!~FootballPhysics.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
@@ -31,18 +30,18 @@ def run(command, folder):
 
 
 def project_of(test):
-    """The project that has a class of tests."""
+    """The project that contains a test class."""
     has = re.compile(rf"class {test.split('.')[0]}\b")
     found = [name for name in PROJECTS if any(has.search(path.read_text()) for path in (ROOT / "tests" / name).rglob("*.cs"))]
-    return found[0] if found else sys.exit(f"there are no tests {test}")
+    return found[0] if found else sys.exit(f"there is no test class {test}")
 
 
 def failures(work, name, project, chosen):
-    """The tests of a project that fail, of those that are chosen."""
+    """The chosen tests of a project that fail."""
     test = run(["dotnet", "vstest", str(work / project / (project + ".dll")), "--TestCaseFilter:" + chosen], work)
     if "Total:" not in test.stdout or "No test matches" in test.stdout:
         sys.exit(f"{name}: no tests ran:\n" + test.stdout[-2000:])
-    return re.findall(r"^\s*Failed Football\.Physics\.(?:\w+\.)*(\w+\.\w+)", test.stdout, re.MULTILINE) or (["?"] if test.returncode else [])
+    return re.findall(r"^\s*Failed FootballPhysics\.(?:\w+\.)*(\w+\.\w+)", test.stdout, re.MULTILINE) or (["?"] if test.returncode else [])
 
 
 def named(tests):
@@ -50,17 +49,11 @@ def named(tests):
 
 
 def place(mutation):
-    """Its project and its file there, or the only other that has its text; None where its text does not stand exactly once."""
-    def count(found):
-        return (ROOT / found[0] / found[1]).read_text().count(mutation["old"])
-
+    """The part and the file in it, or None if the text does not occur exactly once."""
     room, _, rest = mutation["file"].partition("/")
-    named = (PARTS[room], rest) if room in PARTS else (PARTS[""], mutation["file"])
-    if (ROOT / named[0] / named[1]).exists() and count(named) > 0:
-        return named if count(named) == 1 else None
-    others = [(part, str(path.relative_to(ROOT / part))) for part in PARTS.values() for path in (ROOT / part).rglob("*.cs")]
-    others = [found for found in others if not found[1].startswith(("bin/", "obj/")) and count(found) > 0]
-    return others[0] if len(others) == 1 and count(others[0]) == 1 else None
+    part, file = (PARTS[room], rest) if room in PARTS else (PARTS[""], mutation["file"])
+    path = ROOT / part / file
+    return (part, file) if path.exists() and path.read_text().count(mutation["old"]) == 1 else None
 
 
 def main():
@@ -70,7 +63,7 @@ def main():
     lost = [name for name in sys.argv[1:] if name not in places] + [name for name in places if not places[name]]
     wanted = [m for m in wanted if places[m["name"]]]
     for name in lost:
-        print(f"LOST      {name}: tests/mutations.json is not of these sources")
+        print(f"LOST      {name}: its text does not occur exactly once in its file")
 
     survivors = []
     with tempfile.TemporaryDirectory() as work:
@@ -88,7 +81,7 @@ def main():
         for project in sorted(set(projects.values())):
             plain += failures(work, "unchanged", project, named([test for test in concerned if projects[test] == project]))
         if plain:
-            sys.exit("without any mistake these fail: " + ", ".join(sorted(set(plain))))
+            sys.exit("these tests fail without any error: " + ", ".join(sorted(set(plain))))
 
         for m in wanted:
             part, file = places[m["name"]]

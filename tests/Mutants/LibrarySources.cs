@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis.CSharp;
 
 namespace FootballPhysics.Mutants;
 
-/// <summary>The sources of the library for .NET 10, as the compiler takes them: for programs that compile them with something more in them.</summary>
+/// <summary>The sources of the library as the compiler for .NET 10 receives them. Use them to compile the library with changes.</summary>
 internal static class LibrarySources
 {
     /// <summary>The folder of the repository.</summary>
@@ -12,19 +12,19 @@ internal static class LibrarySources
     /// <summary>The folder of the library.</summary>
     public static string Folder { get; } = Path.Combine(Root, "src/Football.Physics");
 
-    /// <summary>Its files, and those that its build makes.</summary>
+    /// <summary>The files of the library, and the files that the build generates.</summary>
     public static string[] Files { get; } = Directory.EnumerateFiles(Folder, "*.cs", SearchOption.AllDirectories)
         .Where(path => !path.Contains("/bin/", StringComparison.Ordinal) && !path.Contains("/Polyfills/", StringComparison.Ordinal)
             && (!path.Contains("/obj/", StringComparison.Ordinal) || Path.GetDirectoryName(path) == Path.Combine(Folder, "obj/Release/net10.0")))
         .Order(StringComparer.Ordinal)
         .ToArray();
 
-    /// <summary>Its language and symbols.</summary>
+    /// <summary>The language version and the symbols.</summary>
     public static CSharpParseOptions Parsing { get; } = new CSharpParseOptions(LanguageVersion.CSharp13).WithPreprocessorSymbols(
         "NET", "NET5_0_OR_GREATER", "NET6_0_OR_GREATER", "NET7_0_OR_GREATER", "NET8_0_OR_GREATER", "NET9_0_OR_GREATER", "NET10_0", "NET10_0_OR_GREATER",
         "NETCOREAPP", "NETCOREAPP3_0_OR_GREATER", "NETCOREAPP3_1_OR_GREATER", "RELEASE");
 
-    /// <summary>The library of trees.</summary>
+    /// <summary>Returns a compilation of the library from syntax trees.</summary>
     public static CSharpCompilation Compilation(IEnumerable<SyntaxTree> trees) => CSharpCompilation.Create(
         "Football.Physics",
         trees,

@@ -1,20 +1,33 @@
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
+using Microsoft.CodeAnalysis.Text;
 
 namespace FootballPhysics.Mutants;
 
-/// <summary>One small mistake: what is written instead of a node of a file's syntax.</summary>
+/// <summary>One small error: a node of a file's syntax tree is replaced.</summary>
 /// <param name="Path">The file.</param>
 /// <param name="Node">The node.</param>
-/// <param name="What">What it does, in words.</param>
-/// <param name="Change">The node with the mistake, of the node as it is with those inside it.</param>
-internal sealed record Mutant(string Path, SyntaxNode Node, string What, Func<SyntaxNode, SyntaxNode> Change)
+/// <param name="Change">Returns the changed node. The argument is the node, which may already contain other switches.</param>
+internal sealed record Mutant(string Path, SyntaxNode Node, Func<SyntaxNode, SyntaxNode> Change)
 {
-    public int Line => Node.GetLocation().GetLineSpan().StartLinePosition.Line + 1;
+    /// <summary>The file in the library, with line and column.</summary>
+    public string Place
+    {
+        get
+        {
+            LinePosition start = Node.GetLocation().GetLineSpan().StartLinePosition;
+            return $"{System.IO.Path.GetRelativePath(LibrarySources.Folder, Path)}:{start.Line + 1}:{start.Character + 1}";
+        }
+    }
+
+    /// <summary>The original text and the mutated text, each in one line.</summary>
+    public string What => $"{OneLine(Node)}  →  {(Node is StatementSyntax ? "(removed)" : OneLine(Change(Node.WithoutTrivia()).NormalizeWhitespace()))}";
+
+    private static string OneLine(SyntaxNode node) => string.Join(' ', node.ToString().Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
 }
 
-/// <summary>The mistakes that can be made in a file: other operators, comparisons, conditions and signs, least for most, and statements left out.</summary>
+/// <summary>Finds the mutants of a file: other operators and comparisons, negated conditions, missing signs, Min and Max exchanged, and removed statements.</summary>
 internal static class Mutator
 {
     private static readonly Dictionary<SyntaxKind, SyntaxKind[]> Others = new()
@@ -42,48 +55,48 @@ internal static class Mutator
                 continue;
             }
 
-            foreach ((string what, Func<SyntaxNode, SyntaxNode> change) in Of(node))
+            foreach (Func<SyntaxNode, SyntaxNode> change in Of(node))
             {
-                yield return new Mutant(path, node, what, change);
+                yield return new Mutant(path, node, change);
             }
         }
     }
 
-    private static IEnumerable<(string What, Func<SyntaxNode, SyntaxNode> Change)> Of(SyntaxNode node)
+    private static IEnumerable<Func<SyntaxNode, SyntaxNode>> Of(SyntaxNode node)
     {
         switch (node)
         {
             case BinaryExpressionSyntax binary when Others.TryGetValue(binary.Kind(), out SyntaxKind[]? others):
                 foreach (SyntaxKind other in others)
                 {
-                    yield return ($"{binary} with {Name(other)}", at => SyntaxFactory.BinaryExpression(other, ((BinaryExpressionSyntax)at).Left, ((BinaryExpressionSyntax)at).Right));
+                    yield return at => SyntaxFactory.BinaryExpression(other, ((BinaryExpressionSyntax)at).Left, ((BinaryExpressionSyntax)at).Right);
                 }
 
                 break;
             case PrefixUnaryExpressionSyntax unary when unary.IsKind(SyntaxKind.UnaryMinusExpression) || unary.IsKind(SyntaxKind.LogicalNotExpression):
-                yield return ($"{unary} without its sign", at => ((PrefixUnaryExpressionSyntax)at).Operand);
+                yield return at => ((PrefixUnaryExpressionSyntax)at).Operand;
                 break;
             case LiteralExpressionSyntax literal when literal.IsKind(SyntaxKind.TrueLiteralExpression) || literal.IsKind(SyntaxKind.FalseLiteralExpression):
-                yield return ($"not {literal}", at => SyntaxFactory.LiteralExpression(
-                    at.IsKind(SyntaxKind.TrueLiteralExpression) ? SyntaxKind.FalseLiteralExpression : SyntaxKind.TrueLiteralExpression));
+                yield return at => SyntaxFactory.LiteralExpression(
+                    at.IsKind(SyntaxKind.TrueLiteralExpression) ? SyntaxKind.FalseLiteralExpression : SyntaxKind.TrueLiteralExpression);
                 break;
             case InvocationExpressionSyntax { Expression: MemberAccessExpressionSyntax { Name.Identifier.Text: "Min" or "Max" } member } call when member.Expression.ToString() == "Math":
-                yield return ($"{call}: least for most", at => Swapped((InvocationExpressionSyntax)at));
+                yield return at => Swapped((InvocationExpressionSyntax)at);
                 break;
             case ConditionalExpressionSyntax choice:
-                yield return ($"{choice}: always the first", at => ((ConditionalExpressionSyntax)at).WhenTrue);
-                yield return ($"{choice}: always the second", at => ((ConditionalExpressionSyntax)at).WhenFalse);
+                yield return at => ((ConditionalExpressionSyntax)at).WhenTrue;
+                yield return at => ((ConditionalExpressionSyntax)at).WhenFalse;
                 break;
             case ExpressionSyntax condition when condition.Parent is IfStatementSyntax branch && branch.Condition == condition:
-                yield return ($"not ({condition})", at => SyntaxFactory.PrefixUnaryExpression(SyntaxKind.LogicalNotExpression, SyntaxFactory.ParenthesizedExpression((ExpressionSyntax)at)));
+                yield return at => SyntaxFactory.PrefixUnaryExpression(SyntaxKind.LogicalNotExpression, SyntaxFactory.ParenthesizedExpression((ExpressionSyntax)at));
                 break;
             case ExpressionStatementSyntax statement when statement.Expression is InvocationExpressionSyntax or AssignmentExpressionSyntax:
-                yield return ($"{statement} left out", at => at);
+                yield return at => at;
                 break;
         }
     }
 
-    /// <summary>The node with a choice at run time: a statement that is left out, an expression that is another.</summary>
+    /// <summary>Returns the node with a switch for each mutant. The switch selects the original or the mutant at run time.</summary>
     public static SyntaxNode Switched(SyntaxNode node, IReadOnlyList<(int Number, Mutant Mutant)> mutants)
     {
         if (node is StatementSyntax statement)
@@ -108,9 +121,7 @@ internal static class Mutator
         return call.WithExpression(member.WithName(SyntaxFactory.IdentifierName(other)));
     }
 
-    private static string Name(SyntaxKind kind) => kind.ToString().Replace("Expression", "", StringComparison.Ordinal);
-
-    // What must be known to the compiler can be no choice at run time.
+    // The compiler needs the value of a constant, so a constant cannot contain a switch.
     private static bool IsConstant(ExpressionSyntax expression, SemanticModel model) =>
         (model.GetConstantValue(expression).HasValue && expression is not LiteralExpressionSyntax)
         || expression.Ancestors().Any(at => at is AttributeSyntax or ParameterSyntax or CaseSwitchLabelSyntax or EnumMemberDeclarationSyntax or ThrowExpressionSyntax or ThrowStatementSyntax
@@ -118,7 +129,7 @@ internal static class Mutator
             || (at is LocalDeclarationStatementSyntax local && local.Modifiers.Any(SyntaxKind.ConstKeyword))
             || (at is InvocationExpressionSyntax call && call.Expression.ToString().StartsWith("Check.", StringComparison.Ordinal)));
 
-    // A variable is declared once, and what is known to be assigned must stay so.
+    // A switch repeats its expression. It must not declare a variable twice, or assign one in one branch only.
     private static bool Declares(ExpressionSyntax expression) => expression.DescendantNodes().Any(at =>
         at is DeclarationExpressionSyntax or DeclarationPatternSyntax or SingleVariableDesignationSyntax or RefExpressionSyntax
         || (at is ArgumentSyntax argument && argument.RefKindKeyword.IsKind(SyntaxKind.OutKeyword)));
