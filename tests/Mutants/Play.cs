@@ -12,7 +12,7 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
 {
     private const string Namespace = "FootballPhysics.Tests.";
 
-    // Slower tests run on their own, after all others, in s. The slowest do not run.
+    // Slower tests run only on the mutants that pass all others, in s. The slowest do not run.
     private const double Slow = 0.3;
     private const double Slowest = 4;
 
@@ -22,7 +22,8 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     // Rules for the sources, and tests that compile or start other programs: they say nothing about behaviour.
     private static readonly string[] Excluded = [Namespace + "Architecture.", Namespace + "Laws.ChangedLawTests"];
 
-    private readonly List<Unit> _units = [];
+    private readonly List<Unit> _quick = [];
+    private readonly List<Unit> _slow = [];
 
     /// <summary>Copies the tests, runs them without any mutant, and finds the mutants that each class reaches.</summary>
     /// <param name="classes">The only classes to run, or null for all.</param>
@@ -32,28 +33,49 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
         Dispose();
         Copy("tests/Football.Physics.Tests", "tests");
         Copy("tests/Package.Tests", "golden");
-        string program = Path.Combine(folder, "tests/Football.Physics.Tests");
-        using Process list = Process.Start(new ProcessStartInfo(program, ["-list", "classes", "-noColor"]) { RedirectStandardOutput = true })!;
-        string[] names = [.. list.StandardOutput.ReadToEnd().Split('\n').Where(at => at.StartsWith(Namespace, StringComparison.Ordinal)).Select(at => at.Trim())];
         bool pass = Golden(-1) == 0;
-        foreach (string of in names.Where(at => classes is null ? !Excluded.Any(at.StartsWith) : classes.Contains(at[(at.LastIndexOf('.') + 1)..])))
+        if (!File.Exists(Times))
         {
-            string reached = Path.Combine(folder, "reached");
-            string xml = Path.Combine(folder, "times.xml");
-            File.Delete(reached);
-            pass &= Run("tests/Football.Physics.Tests", -2, 3600, ["-class", of, "-result-xml", xml], out _) == 0;
-            HashSet<int> mutants = File.Exists(reached) ? [.. File.ReadAllText(reached).Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(text => int.Parse(text, CultureInfo.InvariantCulture))] : [];
-            (string Name, double Seconds)[] methods = [.. XDocument.Load(xml).Descendants("test").GroupBy(at => (string)at.Attribute("method")!).Select(at => ($"{of}.{at.Key}", at.Sum(test => (double)test.Attribute("time")!)))];
-            string[] slow = [.. methods.Where(at => at.Seconds > Slow).Select(at => at.Name)];
-            if (methods.Length > slow.Length)
-            {
-                _units.Add(new Unit(of, false, methods.Where(at => at.Seconds <= Slow).Sum(at => at.Seconds), slow, mutants));
-            }
-
-            _units.AddRange(methods.Where(at => at.Seconds is > Slow and < Slowest).Select(at => new Unit(at.Name, true, at.Seconds, [], mutants)));
+            pass &= Run("tests/Football.Physics.Tests", -1, 3600, [.. Excluded.SelectMany(at => (string[])["-class-", at + "*"]), "-result-xml", Times], out _) == 0;
         }
 
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{_units.Count} groups of tests, {_units.Sum(at => at.Seconds):0} s"));
+        var methods = XDocument.Load(Times).Descendants("test").GroupBy(at => (Class: (string)at.Attribute("type")!, Method: (string)at.Attribute("method")!))
+            .Select(at => (at.Key.Class, Name: $"{at.Key.Class}.{at.Key.Method}", Seconds: at.Sum(test => (double)test.Attribute("time")!)))
+            .Where(at => !Excluded.Any(at.Class.StartsWith)).ToLookup(at => at.Class);
+        foreach (string of in classes is null ? methods.Select(at => at.Key) : Classes().Where(at => classes.Contains(at[(at.LastIndexOf('.') + 1)..])))
+        {
+            var slow = methods[of].Where(at => classes is null && at.Seconds > Slow).ToArray();
+            _slow.AddRange(slow.Where(at => at.Seconds < Slowest).Select(at => new Unit(at.Name, at.Seconds, [])));
+            if (slow.Length == 0 || slow.Length < methods[of].Count())
+            {
+                _quick.Add(new Unit(of, methods[of].Sum(at => at.Seconds) - slow.Sum(at => at.Seconds), [.. slow.Select(at => at.Name)]));
+            }
+        }
+
+        return pass & Reach(_quick);
+    }
+
+    // A list of the durations of the tests. Delete it after the tests have changed much.
+    private static string Times => Path.Combine(LibrarySources.Root, "artifacts/mutants/times.xml");
+
+    private IEnumerable<string> Classes()
+    {
+        using Process list = Process.Start(new ProcessStartInfo(Path.Combine(folder, "tests/Football.Physics.Tests"), ["-list", "classes", "-noColor"]) { RedirectStandardOutput = true })!;
+        return list.StandardOutput.ReadToEnd().Split('\n').Where(at => at.StartsWith(Namespace, StringComparison.Ordinal)).Select(at => at.Trim());
+    }
+
+    private bool Reach(List<Unit> units)
+    {
+        bool pass = true;
+        string reached = Path.Combine(folder, "reached");
+        foreach (Unit unit in units)
+        {
+            File.Delete(reached);
+            pass &= Run([unit], -2, out _) == 0;
+            unit.Reached = File.Exists(reached) ? [.. File.ReadAllText(reached).Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(text => int.Parse(text, CultureInfo.InvariantCulture))] : [];
+        }
+
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{units.Count} groups of tests, {units.Sum(at => at.Seconds):0} s"));
         return pass;
     }
 
@@ -62,26 +84,35 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     /// <param name="by">The class or the method that failed, or null.</param>
     public string End(int mutant, out string? by)
     {
-        by = null;
-        Unit[] reaching = [.. _units.Where(at => at.Reached.Contains(mutant)).OrderBy(at => at.IsMethod).ThenBy(at => (at.Seconds + 0.02) / (1 + at.Kills))];
+        Unit[] reaching = [.. _quick.Where(at => at.Reached.Contains(mutant)).OrderBy(at => (at.Seconds + 0.02) / (1 + at.Kills))];
         double sum = 0;
-        Unit[] first = [.. reaching.TakeWhile(at => !at.IsMethod && (sum += at.Seconds) < First)];
-        Unit[] rest = [.. reaching.Skip(first.Length)];
-        foreach (Unit[] some in (Unit[][])[first, [.. rest.Where(at => !at.IsMethod)], [.. rest.Where(at => at.IsMethod)]])
-        {
-            if (some.Length > 0 && Run(some, mutant, out string? failed) is not 0)
-            {
-                by = failed ?? "the limit of time";
-                foreach (Unit unit in some.Where(at => failed is not null && (failed + ".").StartsWith(at.Name + ".", StringComparison.Ordinal)))
-                {
-                    unit.Kills++;
-                }
+        Unit[] first = [.. reaching.TakeWhile(at => (sum += at.Seconds) < First)];
+        return Kills(first, mutant, out by) || Kills([.. reaching.Skip(first.Length)], mutant, out by) ? "killed"
+            : Golden(mutant) is not 0 ? "GOLDEN" : reaching.Length > 0 ? "SURVIVED" : "NOT-REACHED";
+    }
 
-                return "killed";
-            }
+    /// <summary>Finds the mutants that the slow tests reach.</summary>
+    /// <returns>False if a test fails.</returns>
+    public bool PrepareSlow() => Reach(_slow);
+
+    /// <summary>Returns true if a slow test fails.</summary>
+    public bool KilledBySlow(int mutant, out string? by) => Kills([.. _slow.Where(at => at.Reached.Contains(mutant)).OrderBy(at => at.Seconds)], mutant, out by);
+
+    private bool Kills(Unit[] units, int mutant, out string? by)
+    {
+        by = null;
+        if (units.Length == 0 || Run(units, mutant, out by) == 0)
+        {
+            return false;
         }
 
-        return Golden(mutant) is not 0 ? "GOLDEN" : reaching.Length > 0 ? "SURVIVED" : "NOT-REACHED";
+        foreach (Unit unit in units)
+        {
+            unit.Kills += by is not null && (by + ".").StartsWith(unit.Name + ".", StringComparison.Ordinal) ? 1 : 0;
+        }
+
+        by ??= "the limit of time";
+        return true;
     }
 
     /// <summary>Deletes the copies.</summary>
@@ -95,8 +126,8 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
 
     private int? Golden(int mutant) => Run("golden/Package.Tests", mutant, 60, ["-class", "FootballPhysics.Package.Tests.GoldenTests"], out _);
 
-    private int? Run(Unit[] units, int mutant, out string? failed) => Run("tests/Football.Physics.Tests", mutant, 5 + (4 * units.Sum(at => at.Seconds)),
-        units.SelectMany(at => (string[])[at.IsMethod ? "-method" : "-class", at.Name, .. at.Without.SelectMany(method => (string[])["-method-", method])]), out failed);
+    private int? Run(Unit[] units, int mutant, out string? failed) => Run("tests/Football.Physics.Tests", mutant, mutant < 0 ? 3600 : 5 + (4 * units.Sum(at => at.Seconds)),
+        units.SelectMany(at => (string[])[at.Name.EndsWith("Tests", StringComparison.Ordinal) ? "-class" : "-method", at.Name, .. at.Without.SelectMany(method => (string[])["-method-", method])]), out failed);
 
     // 0 if all tests pass; null if they do not end within the limit of processor time, in s.
     private int? Run(string program, int mutant, double limit, IEnumerable<string> arguments, out string? failed)
@@ -109,6 +140,8 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
             RedirectStandardError = true,
             Environment =
             {
+                // A short run gains nothing from profiles.
+                ["DOTNET_TieredPGO"] = "0",
                 ["FOOTBALL_MUTANT"] = mutant.ToString(CultureInfo.InvariantCulture),
                 ["FOOTBALL_MUTANTS_REACHED"] = Path.Combine(folder, "reached"),
             },
@@ -172,17 +205,15 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     }
 
     /// <summary>The quick tests of a class, or one slow method.</summary>
-    private sealed class Unit(string name, bool isMethod, double seconds, string[] without, HashSet<int> reached)
+    private sealed class Unit(string name, double seconds, string[] without)
     {
         public string Name => name;
-
-        public bool IsMethod => isMethod;
 
         public double Seconds => seconds;
 
         public string[] Without => without;
 
-        public HashSet<int> Reached => reached;
+        public HashSet<int> Reached { get; set; } = [];
 
         public int Kills { get; set; }
     }

@@ -56,7 +56,8 @@ if (args.Length > 3)
 
 using (var play = new Play(folder, sample))
 {
-    if (!play.Prepare(args.Length > 3 ? args[3].Split(',') : null))
+    bool slow = args.Length < 4;
+    if (!play.Prepare(slow ? null : args[3].Split(',')))
     {
         Console.Error.WriteLine("Tests fail without any mutant.");
         return 2;
@@ -67,13 +68,32 @@ using (var play = new Play(folder, sample))
         if (ends[i] is not "killed")
         {
             string end = play.End(i, out string? by);
-            ends[i] = end == "NOT-REACHED" && ends[i] is not null ? ends[i] : end;
-            Console.WriteLine(Line(i) + (by is null ? "" : "  by " + by));
+            Note(i, end == "killed" || ends[i] is null ? end : ends[i], by);
+        }
+    }
+
+    if (slow && !play.PrepareSlow())
+    {
+        Console.Error.WriteLine("Slow tests fail without any mutant.");
+        return 2;
+    }
+
+    for (int i = 0; slow && i < ends.Length; i++)
+    {
+        if (ends[i] is not "killed" && play.KilledBySlow(i, out string? by))
+        {
+            Note(i, "killed", by);
         }
     }
 }
 
-File.WriteAllLines(log, ends.Select((_, i) => Line(i)));
+void Note(int i, string end, string? by)
+{
+    ends[i] = end;
+    File.WriteAllLines(log, ends.Select((_, at) => Line(at)));
+    Console.WriteLine(Line(i) + (by is null ? "" : "  by " + by));
+}
+
 bool enough = true;
 foreach (string room in rooms)
 {

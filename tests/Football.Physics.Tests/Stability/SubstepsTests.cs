@@ -26,6 +26,44 @@ public sealed class SubstepsTests
         }
     }
 
+    /// <summary>x'' = −20² x, y'' = 6 t and ω̇ = 3 along z, in parts of 20 ms: the end is the closed form, also if a repeated step resumes within the last one.</summary>
+    [Fact]
+    public void A_repeated_step_resumes_and_ends_at_the_closed_form()
+    {
+        var system = new Oscillator();
+        var from = new FootballPhysics.Motion(new Vector3d(1, 0, 0), Vector3d.Zero, new Vector3d(0, 0, 2), 0);
+        system.Rates(0, in from, out MotionRates start);
+        Substeps method = default;
+        method.Advance(ref system, 0, in from, in start, 0.5, out _);
+        int first = method.Stages;
+        foreach (double h in (double[])[0.495, 0.51, 0.505, 0.3, 0.47])
+        {
+            method.Advance(ref system, 0, in from, in start, h, out MotionStep step);
+            Assert.InRange(method.Stages, 1, h > 0.49 ? first / 3 : first);
+            Assert.Equal(Math.Cos(20 * h), step.End.Position.X, 1e-8);
+            Assert.Equal(-20 * Math.Sin(20 * h), step.End.Velocity.X, 2e-7);
+            Assert.Equal(h * h * h, step.End.Position.Y, 1e-12);
+            Assert.Equal(2 + (3 * h), step.End.Spin.Z, 1e-12);
+            Assert.Equal((2 * h) + (1.5 * h * h), step.Rotation.Z, 1e-12);
+            Assert.Equal(5 * h, step.End.AirDistance, 1e-12);
+            Assert.Equal(start, step.StartRates);
+
+            Substeps other = default;
+            other.Advance(ref system, 0, in from, in start, h, out MotionStep fresh);
+            Assert.Equal(fresh, step);
+        }
+    }
+
+    private struct Oscillator : IMotionSystem
+    {
+        public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
+            rates = new MotionRates(new Vector3d(-400 * at.Position.X, 6 * time, 0), new Vector3d(0, 0, 3), 5);
+
+        public readonly double LongestPart(in FootballPhysics.Motion at) => 0.02;
+
+        public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
+    }
+
     private struct Runaway : IMotionSystem
     {
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
