@@ -112,6 +112,26 @@ public sealed class PathSegmentTests
         Assert.InRange(inside, 50, 250);
     }
 
+    /// <summary>The velocity of a quadratic is linear in time, so at the middle of a segment it is the mean of both ends. That of a quintic is not.</summary>
+    [Theory]
+    [InlineData(Integrator.Euler, true)]
+    [InlineData(Integrator.SemiImplicitEuler, true)]
+    [InlineData(Integrator.Rk2, true)]
+    [InlineData(Integrator.Rk4, false)]
+    public void A_flight_is_a_quadratic_with_methods_of_low_order_and_a_quintic_with_others(Integrator integrator, bool isQuadratic)
+    {
+        var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = integrator });
+        BallState from = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(30, 5, 0), new Vector3d(0, 0, 20));
+        var path = new Trajectory();
+        simulator.LookAhead(in from, new LookAheadRequest { StopAt = StopAt.Impact, TimeStep = 0.02 }, path);
+        Assert.InRange(path.Pieces.Length, 10, 500);
+        foreach (PathSegment piece in path.Pieces[..10])
+        {
+            Vector3d mean = 0.5 * (piece.VelocityAt(piece.Time) + piece.VelocityAt(piece.EndTime));
+            Assert.Equal(isQuadratic, (piece.VelocityAt(piece.Time + (0.5 * piece.Length)) - mean).Length < 1e-12);
+        }
+    }
+
     [Fact]
     public void A_segment_without_length_stays_at_its_start()
     {
