@@ -58,6 +58,21 @@ public sealed class KnuckleForceTests
         Assert.Equal(0, force.Y, 1e-15);
     }
 
+    /// <summary>The bound on |F|/(m |u|²) holds at every distance, and the four waves come near it.</summary>
+    [Fact]
+    public void No_force_exceeds_its_bound_and_some_come_near_it()
+    {
+        var force = KnuckleForce.Of(Scene.Measured with { Ball = BallProperties.Tunnel, Forces = ForceSet.Measured with { KnuckleSeed = 5 } })!;
+        double greatest = 0;
+        for (int i = 0; i < 100_000; i++)
+        {
+            double speed = 10 + (i % 50);
+            greatest = Math.Max(greatest, force.Acceleration(new Vector3d(speed, 0, 0), Vector3d.Zero, 1.7 * i).Length / (speed * speed));
+        }
+
+        Assert.InRange(greatest / force.Bound.At(1, 0), 0.6, 1);
+    }
+
     private static Vector3d Force(BallProperties ball, long seed, Vector3d u, Vector3d spin, double distance)
     {
         Scene scene = Scene.Measured with { Ball = ball, Forces = ForceSet.Measured with { KnuckleSeed = seed } };

@@ -112,6 +112,16 @@ public sealed class PathSegmentTests
         Assert.InRange(inside, 50, 250);
     }
 
+    /// <summary>An arch above a point: both ends are nearest, and the earlier one is the answer.</summary>
+    [Fact]
+    public void Of_two_nearest_points_the_earlier_one_is_reported()
+    {
+        Vector3d fall = new(0, -8, 0);
+        var arch = new PathSegment(3, 1, new(-1, 0, 0), new(2, 4, 0), in fall, new(1, 0, 0), new(2, -4, 0), in fall, MotionState.Airborne, 5);
+        Assert.Equal(101, arch.ClosestApproach(new Vector3d(0, -10, 0), out double time));
+        Assert.Equal(3, time);
+    }
+
     /// <summary>The velocity of a quadratic is linear in time, so at the middle of a segment it is the mean of both ends. That of a quintic is not.</summary>
     [Theory]
     [InlineData(Integrator.Euler, true)]
