@@ -9,6 +9,7 @@ using FootballPhysics.Mutants;
 // COUNT: mutants per room and seed; default: 40. SEEDS: separated by commas; default: 1.
 // CLASSES: test classes, separated by commas, such as DragJumpTests. With them, the program runs only these classes,
 // and only on the mutants that the last run with the same rooms, count and seeds left alive.
+// The results are in artifacts/mutants. A run that was stopped goes on where it ended; delete its file to start again.
 //
 // Build the tests first: dotnet build -c Release tests/Football.Physics.Tests, and the same for tests/Package.Tests.
 // The program compiles all mutants of the sample into one library, each behind a switch. It runs each test class once to find the mutants that the class reaches.
@@ -33,24 +34,13 @@ string name = string.Join('+', rooms).Replace('/', '-');
 string folder = Path.Combine(LibrarySources.Root, "artifacts/mutants", $"{name}-{count}-{string.Join('+', seeds)}");
 string log = folder + ".txt";
 Sample sample = Sample.Draw(rooms, count, seeds);
-var ends = new string[sample.Mutants.Count];
-if (args.Length > 3)
+var ends = new string?[sample.Mutants.Count];
+if (File.Exists(log))
 {
-    if (!File.Exists(log))
-    {
-        Console.Error.WriteLine($"{log} does not exist. Run once without CLASSES.");
-        return 2;
-    }
-
-    string[] last = File.ReadAllLines(log);
+    Dictionary<string, string> last = File.ReadAllLines(log).Distinct().ToDictionary(line => line[12..], line => line[..11].Trim());
     for (int i = 0; i < ends.Length; i++)
     {
-        ends[i] = last[i].Split(' ')[0];
-        if (last[i] != Line(i))
-        {
-            Console.Error.WriteLine($"{log} is from other sources. Run again without CLASSES.");
-            return 2;
-        }
+        ends[i] = last.GetValueOrDefault(Line(i)[12..]) is { Length: > 0 } end ? end : null;
     }
 }
 
@@ -65,10 +55,10 @@ using (var play = new Play(folder, sample))
 
     for (int i = 0; i < ends.Length; i++)
     {
-        if (ends[i] is not "killed")
+        if (slow ? ends[i] is null : ends[i] is not null and not "killed")
         {
             string end = play.End(i, out string? by);
-            Note(i, end == "killed" || ends[i] is null ? end : ends[i], by);
+            Note(i, end == "killed" ? end : ends[i] ?? end, by);
         }
     }
 
@@ -87,7 +77,7 @@ using (var play = new Play(folder, sample))
     }
 }
 
-void Note(int i, string end, string? by)
+void Note(int i, string? end, string? by)
 {
     ends[i] = end;
     File.WriteAllLines(log, ends.Select((_, at) => Line(at)));
@@ -97,7 +87,7 @@ void Note(int i, string end, string? by)
 bool enough = true;
 foreach (string room in rooms)
 {
-    int[] those = [.. Enumerable.Range(0, ends.Length).Where(i => sample.Mutants[i].Room == room)];
+    int[] those = [.. Enumerable.Range(0, ends.Length).Where(i => sample.Mutants[i].Room == room && ends[i] is not null)];
     Console.WriteLine();
     foreach (int i in those.Where(i => ends[i] != "killed").OrderBy(i => ends[i], StringComparer.Ordinal).ThenBy(Line, StringComparer.Ordinal))
     {
@@ -107,7 +97,7 @@ foreach (string room in rooms)
     int killed = those.Count(i => ends[i] == "killed");
     int moved = those.Count(i => ends[i] == "GOLDEN");
     enough &= killed + moved >= 0.85 * those.Length;
-    Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{room}, seeds {string.Join(" and ", seeds)}: {those.Length} mutants, {killed} killed by tests of behaviour, {moved} change only golden hashes, {those.Length - killed - moved} alive; {Score(killed, those.Length)}, with golden hashes {Score(killed + moved, those.Length)}"));
+    Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{room}, seeds {string.Join(" and ", seeds)}: {those.Length} of {sample.Mutants.Count(at => at.Room == room)} mutants, {killed} killed by tests of behaviour, {moved} change only golden hashes, {those.Length - killed - moved} alive; {Score(killed, those.Length)}, with golden hashes {Score(killed + moved, those.Length)}"));
 }
 
 return enough ? 0 : 1;

@@ -65,6 +65,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
                 }
             }
 
+            chosen = [.. chosen.OrderBy(at => at.Draw)];
             (byte[]? library, HashSet<int> wrong) = Compile(trees, [.. chosen.Select(at => at.Mutant)]);
             if (library is not null)
             {
