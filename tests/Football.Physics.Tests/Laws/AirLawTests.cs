@@ -143,6 +143,33 @@ public sealed class AirLawTests
     public void The_drag_coefficient_has_the_published_values(double speed, double spinParameter, double expected) =>
         Assert.Equal(expected, PublishedCoefficient(speed, spinParameter), 1e-11);
 
+    /// <summary>Steps are divided by these bounds: no force at ordinary speeds exceeds its bound, and at some speed and spin it comes near it.</summary>
+    [Theory]
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    [InlineData(AerodynamicModel.Measured)]
+    public void Each_force_comes_near_its_bound_and_never_exceeds_it(AerodynamicModel model)
+    {
+        foreach (ForceLaw law in (ForceLaw[])[ForceLaw.Constant, ForceLaw.Empirical])
+        {
+            ForceSet none = ForceSet.None with { Coefficients = model, SpinDecayCoefficient = 1e-5 };
+            foreach (ForceSet forces in (ForceSet[])[none with { Drag = law }, none with { Magnus = law }, none with { SpinDecay = law }])
+            {
+                AirLaws air = AirLaws.Of(LawGrid.Scene with { Forces = forces });
+                double nearest = 0;
+                foreach ((double speed, double spin, double spinParameter) in LawGrid.Points.Where(at => at.Speed < AirLaws.OrdinarySpeed))
+                {
+                    air.Factors(speed * speed, spin, speed * speed, LawGrid.BranchOf(speed, spinParameter), out double drag, out double lift, out double decay);
+                    double rate = drag + lift + (decay / spin);
+                    Assert.InRange(rate, 0, air.Bound.At(speed, spin) * (1 + 1e-12));
+                    nearest = Math.Max(nearest, rate / air.OrdinaryBound.At(speed, spin));
+                }
+
+                Assert.InRange(nearest, 0.3, 1 + 1e-12);
+            }
+        }
+    }
+
     private static double PublishedCoefficient(double speed, double spinParameter) => LawGrid.BranchOf(speed, spinParameter) == DragBranch.Spinning
         ? FittedDrag.WithSpin(spinParameter)
         : FittedDrag.WithoutSpin(speed);

@@ -1,3 +1,4 @@
+using FootballPhysics.Laws;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Motion;
@@ -155,6 +156,26 @@ public sealed class CustomForceTests
         Assert.Equal(2 + (0.5 / 0.43) - (0.05 * 9.81), state.Velocity.X, 1e-10);
         Assert.Equal(0.11, state.Position.Y);
         Assert.Equal(MotionState.Rolling, state.Motion);
+    }
+
+    /// <summary>Finite forces may still add up to a state that is not finite, in any of its parts.</summary>
+    [Fact]
+    public void A_state_that_is_not_finite_is_refused()
+    {
+        BallState fine = new Simulator(Scene.Vacuum).Launch(s_high, new Vector3d(1, 2, 3), new Vector3d(4, 5, 6));
+        OwnForces.CheckOutcome(in fine);
+        Refused(fine, (ref BallState s) => s.Position = new Vector3d(0, double.PositiveInfinity, 0));
+        Refused(fine, (ref BallState s) => s.Velocity = new Vector3d(double.NaN, 0, 0));
+        Refused(fine, (ref BallState s) => s.SpinRate = double.PositiveInfinity);
+        Refused(fine, (ref BallState s) => s.BaseOrientation = default);
+    }
+
+    private delegate void Change(ref BallState state);
+
+    private static void Refused(BallState state, Change change)
+    {
+        change(ref state);
+        Assert.Contains("overflow", Assert.Throws<InvalidOperationException>(() => OwnForces.CheckOutcome(in state)).Message, StringComparison.Ordinal);
     }
 
     private sealed class Torque : IForce
