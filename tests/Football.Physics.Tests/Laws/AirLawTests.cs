@@ -159,13 +159,16 @@ public sealed class AirLawTests
                 double nearest = 0;
                 foreach ((double speed, double spin, double spinParameter) in LawGrid.Points.Where(at => at.Speed < AirLaws.OrdinarySpeed))
                 {
-                    air.Factors(speed * speed, spin, speed * speed, LawGrid.BranchOf(speed, spinParameter), out double drag, out double lift, out double decay);
-                    double rate = drag + lift + (decay / spin);
-                    Assert.InRange(rate, 0, air.Bound.At(speed, spin) * (1 + 1e-12));
+                    // The torque of the plates does not vanish with the spin, so its bound is that of its rate of change.
+                    DragBranch branch = LawGrid.BranchOf(speed, spinParameter);
+                    air.Factors(speed * speed, spin, speed * speed, branch, out double drag, out double lift, out double decay);
+                    air.Factors(speed * speed, 1.001 * spin, speed * speed, branch, out _, out _, out double more);
+                    double rate = drag + lift + ((more - decay) / (0.001 * spin));
+                    Assert.InRange(rate, -1e-6, (air.Bound.At(speed, spin) * (1 + 1e-3)) + 1e-6);
                     nearest = Math.Max(nearest, rate / air.OrdinaryBound.At(speed, spin));
                 }
 
-                Assert.InRange(nearest, 0.3, 1 + 1e-12);
+                Assert.InRange(nearest, 0.3, 1 + 1e-3);
             }
         }
     }
