@@ -1,6 +1,7 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Scenes;
 using FootballPhysics.State;
+using FootballPhysics.Tests.Scenes;
 
 namespace FootballPhysics.Tests.Laws;
 
@@ -9,11 +10,12 @@ public sealed class AirRatesTests
 {
     private static readonly Scene s_scene = LawGrid.Scene;
 
-    private static MotionRates InFlight(ForceSet forces, in Vector3d u, in Vector3d w)
+    private static MotionRates InFlight(ForceSet forces, in Vector3d u, in Vector3d w) => InFlight(s_scene with { Forces = forces }, in u, in w, DragBranch.Spinning);
+
+    private static MotionRates InFlight(Scene scene, in Vector3d v, in Vector3d w, DragBranch branch)
     {
-        Scene scene = s_scene with { Forces = forces };
-        var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
-        flight.Rates(0, new FootballPhysics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
+        var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = branch };
+        flight.Rates(0, new FootballPhysics.Motion(Vector3d.Zero, in v, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
 
@@ -47,6 +49,26 @@ public sealed class AirRatesTests
         double Lift(Vector3d w) => InFlight(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, in u, in w).Acceleration.Length;
         Assert.Equal(0, Lift(new Vector3d(0, 0, 30)));
         Assert.Equal(0.5, Lift(new Vector3d(0, 15, -15 * Math.Sqrt(3))) / Lift(new Vector3d(0, 30, 0)), 1e-12);
+    }
+
+    /// <summary>A piece in still air keeps its branch up to the jump. In a wind field, the flow at each instant selects the branch.</summary>
+    [Theory]
+    [InlineData(8)]
+    [InlineData(20)]
+    public void In_a_wind_field_the_branch_is_that_of_the_flow(double speed)
+    {
+        var u = new Vector3d(speed, 0, 0);
+        var w = new Vector3d(0, 0, 30);
+        var wind = new Vector3d(0, 0, 5);
+        Scene still = s_scene with { Forces = ForceSet.Published };
+        Scene windy = still with { Air = still.Air with { WindField = new UniformWind(wind) } };
+        MotionRates expected = InFlight(still, in u, in w, LawGrid.BranchOf(speed, s_scene.Ball.Radius * 30 / speed));
+        foreach (DragBranch branch in (DragBranch[])[DragBranch.Spinning, DragBranch.NoSpin])
+        {
+            Assert.Equal(0, (InFlight(windy, u + wind, in w, branch).Acceleration - expected.Acceleration).Length, 1e-12);
+        }
+
+        Assert.NotEqual(InFlight(still, in u, in w, DragBranch.Spinning), InFlight(still, in u, in w, DragBranch.NoSpin));
     }
 
     [Fact]
