@@ -19,6 +19,7 @@ public sealed class DragJumpTests
     [InlineData(12.20, 0.0501, true)]
     [InlineData(12.18, 0.0501, false)]
     [InlineData(12.20, 0.0499, false)]
+    [InlineData(12.19, 0.2, false)]
     [InlineData(30, 0.2, true)]
     [InlineData(5, 0.01, false)]
     public void The_law_with_spin_holds_above_both_critical_numbers(double speed, double spinParameter, bool spins)
