@@ -19,8 +19,13 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     // A first process runs quick tests for about this long, in s.
     private const double First = 2.5;
 
+    // The duration of a class that may be new, in s.
+    private const double Unknown = 5;
+
     // Rules for the sources, and tests that compile or start other programs: they say nothing about behaviour.
     private static readonly string[] Excluded = [Namespace + "Architecture.", Namespace + "Laws.ChangedLawTests"];
+
+    private static readonly string[] Programs = ["tests/Football.Physics.Tests", "labs/Football.Physics.Labs.Tests"];
 
     private readonly List<Unit> _quick = [];
     private readonly List<Unit> _slow = [];
@@ -32,14 +37,15 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     {
         Dispose();
         Copy("tests/Football.Physics.Tests", "tests");
+        Copy("tests/Football.Physics.Labs.Tests", "labs");
         Copy("tests/Package.Tests", "golden");
         bool pass = Golden(-1) == 0;
-        if (!File.Exists(Times))
+        foreach (string program in Programs.Where(at => classes is null && !File.Exists(Times(at))))
         {
-            pass &= Run("tests/Football.Physics.Tests", -1, 3600, [.. Excluded.SelectMany(at => (string[])["-class-", at + "*"]), "-result-xml", Times], out _) == 0;
+            pass &= Run(program, -1, 3600, [.. Excluded.SelectMany(at => (string[])["-class-", at + "*"]), "-result-xml", Times(program)], out _) == 0;
         }
 
-        var methods = XDocument.Load(Times).Descendants("test").GroupBy(at => (Class: (string)at.Attribute("type")!, Method: (string)at.Attribute("method")!))
+        var methods = Programs.Where(at => File.Exists(Times(at))).SelectMany(at => XDocument.Load(Times(at)).Descendants("test")).GroupBy(at => (Class: (string)at.Attribute("type")!, Method: (string)at.Attribute("method")!))
             .Select(at => (at.Key.Class, Name: $"{at.Key.Class}.{at.Key.Method}", Seconds: at.Sum(test => (double)test.Attribute("time")!)))
             .Where(at => !Excluded.Any(at.Class.StartsWith)).ToLookup(at => at.Class);
         foreach (string of in classes is null ? methods.Select(at => at.Key) : Classes().Where(at => classes.Contains(at[(at.LastIndexOf('.') + 1)..])))
@@ -48,7 +54,8 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
             _slow.AddRange(slow.Where(at => at.Seconds < Slowest).Select(at => new Unit(at.Name, at.Seconds, [])));
             if (slow.Length == 0 || slow.Length < methods[of].Count())
             {
-                _quick.Add(new Unit(of, methods[of].Sum(at => at.Seconds) - slow.Sum(at => at.Seconds), [.. slow.Select(at => at.Name)]));
+                double seconds = methods[of].Sum(at => at.Seconds) - slow.Sum(at => at.Seconds);
+                _quick.Add(new Unit(of, classes is null ? seconds : Math.Max(seconds, Unknown), [.. slow.Select(at => at.Name)]));
             }
         }
 
@@ -56,13 +63,15 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     }
 
     // A list of the durations of the tests. Delete it after the tests have changed much.
-    private static string Times => Path.Combine(LibrarySources.Root, "artifacts/mutants/times.xml");
+    private static string Times(string program) => Path.Combine(LibrarySources.Root, "artifacts/mutants", Path.GetFileName(program) + ".xml");
 
-    private IEnumerable<string> Classes()
+    private static string ProgramOf(string test) => Programs[test.StartsWith(Namespace, StringComparison.Ordinal) ? 0 : 1];
+
+    private IEnumerable<string> Classes() => Programs.SelectMany(program =>
     {
-        using Process list = Process.Start(new ProcessStartInfo(Path.Combine(folder, "tests/Football.Physics.Tests"), ["-list", "classes", "-noColor"]) { RedirectStandardOutput = true })!;
-        return list.StandardOutput.ReadToEnd().Split('\n').Where(at => at.StartsWith(Namespace, StringComparison.Ordinal)).Select(at => at.Trim());
-    }
+        using Process list = Process.Start(new ProcessStartInfo(Path.Combine(folder, program), ["-list", "classes", "-noColor"]) { RedirectStandardOutput = true })!;
+        return list.StandardOutput.ReadToEnd().Split('\n').Where(at => at.StartsWith("FootballPhysics.", StringComparison.Ordinal)).Select(at => at.Trim());
+    });
 
     private bool Reach(List<Unit> units)
     {
@@ -101,18 +110,21 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
     private bool Kills(Unit[] units, int mutant, out string? by)
     {
         by = null;
-        if (units.Length == 0 || Run(units, mutant, out by) == 0)
+        foreach (IGrouping<string, Unit> ofProgram in units.GroupBy(at => ProgramOf(at.Name)))
         {
-            return false;
+            if (Run([.. ofProgram], mutant, out string? failed) != 0)
+            {
+                foreach (Unit unit in ofProgram)
+                {
+                    unit.Kills += failed is not null && (failed + ".").StartsWith(unit.Name + ".", StringComparison.Ordinal) ? 1 : 0;
+                }
+
+                by = failed ?? "the limit of time";
+                return true;
+            }
         }
 
-        foreach (Unit unit in units)
-        {
-            unit.Kills += by is not null && (by + ".").StartsWith(unit.Name + ".", StringComparison.Ordinal) ? 1 : 0;
-        }
-
-        by ??= "the limit of time";
-        return true;
+        return false;
     }
 
     /// <summary>Deletes the copies.</summary>
@@ -126,7 +138,7 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
 
     private int? Golden(int mutant) => Run("golden/Package.Tests", mutant, 60, ["-class", "FootballPhysics.Package.Tests.GoldenTests"], out _);
 
-    private int? Run(Unit[] units, int mutant, out string? failed) => Run("tests/Football.Physics.Tests", mutant, mutant < 0 ? 3600 : 5 + (4 * units.Sum(at => at.Seconds)),
+    private int? Run(Unit[] units, int mutant, out string? failed) => Run(ProgramOf(units[0].Name), mutant, mutant < 0 ? 3600 : 5 + (4 * units.Sum(at => at.Seconds)),
         units.SelectMany(at => (string[])[at.Name.EndsWith("Tests", StringComparison.Ordinal) ? "-class" : "-method", at.Name, .. at.Without.SelectMany(method => (string[])["-method-", method])]), out failed);
 
     // 0 if all tests pass; null if they do not end within the limit of processor time, in s.

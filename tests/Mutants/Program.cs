@@ -11,7 +11,7 @@ using FootballPhysics.Mutants;
 // and only on the mutants that the last run with the same rooms, count and seeds left alive.
 // The results are in artifacts/mutants. A run that was stopped goes on where it ended; delete its file to start again.
 //
-// Build the tests first: dotnet build -c Release tests/Football.Physics.Tests, and the same for tests/Package.Tests.
+// Build the tests first: dotnet build -c Release tests/Football.Physics.Tests, and the same for tests/Football.Physics.Labs.Tests and tests/Package.Tests.
 // The program compiles all mutants of the sample into one library, each behind a switch. It runs each test class once to find the mutants that the class reaches.
 // Each mutant then meets only the classes that reach it, up to the first failure. The golden hashes run only on mutants that pass all of these classes.
 // Golden hashes detect any change and not only errors, so the summary counts them separately. The exit code is 1 if a score including golden hashes is below 85 %.

@@ -170,6 +170,12 @@ public sealed class AirLawTests
 
                 Assert.InRange(nearest, 0.3, 1 + 1e-3);
             }
+
+            // The bound of all is the sum, so a force that does not act adds nothing.
+            RateBound BoundOf(ForceSet forces) => AirLaws.Of(LawGrid.Scene with { Forces = forces }).Bound;
+            RateBound sum = BoundOf(none with { Drag = law }) + BoundOf(none with { Magnus = law }) + BoundOf(none with { SpinDecay = law });
+            Assert.Equal(sum.At(20, 30), BoundOf(none with { Drag = law, Magnus = law, SpinDecay = law }).At(20, 30), 1e-12);
+            Assert.Equal(0, BoundOf(none).At(20, 30));
         }
     }
 

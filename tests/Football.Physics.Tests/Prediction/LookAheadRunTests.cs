@@ -47,6 +47,21 @@ public sealed class LookAheadRunTests
         Assert.True(whole.Path.Pieces.Length > 3);
     }
 
+    /// <summary>The start calls MoveBodies at the time of the ball, for the look-ahead only.</summary>
+    [Fact]
+    public void A_start_leaves_the_bodies_of_the_game_where_they_are()
+    {
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", BodyKind.Player.Shape, SurfaceMaterial.Boot);
+        var simulator = new Simulator(new Scene { Bodies = bodies });
+        player.MoveTo(new Vector3d(3, 0, 1), new Vector3d(0.5, 0, 0), 0);
+        BallState ball = simulator.Launch(new Vector3d(0, 0.5, 0), new Vector3d(0, 1, -9), Vector3d.Zero);
+        var run = new LookAheadRun(simulator);
+        run.Start(in ball, new LookAheadRequest { MoveBodies = time => player.MoveTo(new Vector3d(9, 0, 9), new Vector3d(7, 0, 0), time) });
+        Assert.Equal(new Vector3d(3, 0, 1), player.Position);
+        Assert.Equal(new Vector3d(0.5, 0, 0), player.Velocity);
+    }
+
     [Fact]
     public void The_path_so_far_is_the_beginning_of_the_whole_one()
     {

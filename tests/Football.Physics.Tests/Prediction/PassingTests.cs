@@ -48,6 +48,25 @@ public sealed class PassingTests
         Assert.InRange(shorter, 50, 500);
     }
 
+    /// <summary>Along the ground, backspin turns the ball back: v = (v₀ − α r ω)/(1 + α). In wind, a slow ball turns back too.</summary>
+    [Theory]
+    [InlineData(2, 150, 0, -1)]
+    [InlineData(2, 150, 0, -3)]
+    [InlineData(1, 0, -15, -1)]
+    public void Until_passing_goes_on_if_the_ball_turns_back(double speed, double backspin, double wind, double behind)
+    {
+        Scene scene = Scene.Measured;
+        var simulator = new Simulator(scene with { Air = scene.Air with { Wind = new Vector3d(wind, 0, 0) } });
+        BallState ball = simulator.Launch(simulator.OnGround(0, 0), new Vector3d(speed, wind == 0 ? 0 : 4, 0), new Vector3d(0, 0, backspin));
+        var point = new Vector3d(behind, 0.11, 0);
+        var whole = new Trajectory(2048);
+        var until = new Trajectory(2048);
+        simulator.LookAhead(in ball, new LookAheadRequest { StopAt = StopAt.Rest }, whole);
+        simulator.LookAhead(in ball, new LookAheadRequest { StopAt = StopAt.Rest, UntilPassing = point }, until);
+        Assert.InRange(whole.ClosestApproach(point).Distance, 0, 0.5 * -behind);
+        Assert.Equal(whole.ClosestApproach(point).Distance, until.ClosestApproach(point).Distance, 1e-6);
+    }
+
     [Fact]
     public void Memory_that_fits_exactly_is_complete()
     {

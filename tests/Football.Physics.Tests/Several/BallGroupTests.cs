@@ -300,6 +300,48 @@ public sealed class BallGroupTests
             group.LookAhead(balls, new LookAheadRequest { UntilPlane = new Plane3d(default, new Vector3d(1, 0, 0)) }, paths));
     }
 
+    /// <summary>Balls that roll to rest in about 2 s: a look-ahead ends there only if it stops at rest.</summary>
+    [Theory]
+    [InlineData(StopAt.Rest)]
+    [InlineData(StopAt.Time)]
+    public void A_look_ahead_ends_once_all_balls_rest(StopAt stop)
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 2);
+        BallState[] balls = [simulator.Launch(simulator.OnGround(0, 0), new Vector3d(1, 0, 0), Vector3d.Zero), simulator.Launch(simulator.OnGround(0, 5), new Vector3d(2, 0, 0), Vector3d.Zero)];
+        Trajectory[] paths = [new Trajectory(), new Trajectory()];
+        group.LookAhead(balls, new LookAheadRequest { Duration = 20, StopAt = stop }, paths);
+        Assert.All(paths, path => Assert.Equal(MotionState.Rest, path.Final.Motion));
+        Assert.Equal(stop == StopAt.Time, paths[0].Final.Time > 19.9);
+        Assert.True(paths[1].TryGetRest(out BallEvent rest));
+        Assert.InRange(paths[1].Final.Time, rest.Time, stop == StopAt.Rest ? rest.Time + 0.1 : 20);
+    }
+
+    [Fact]
+    public void A_look_ahead_up_to_an_impact_ends_at_the_first_one()
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 2);
+        BallState[] balls = [simulator.Launch(new Vector3d(0, 1.5, 0), Vector3d.Zero, Vector3d.Zero), simulator.Launch(new Vector3d(0, 3, 5), Vector3d.Zero, Vector3d.Zero)];
+        Trajectory[] paths = [new Trajectory(), new Trajectory()];
+        group.LookAhead(balls, new LookAheadRequest { Duration = 20, StopAt = StopAt.Impact }, paths);
+        Assert.True(paths[0].TryGetTouchdown(0, out BallEvent touchdown));
+        Assert.InRange(touchdown.Time, 0.5, 0.6);
+        Assert.All(paths, path => Assert.Equal(touchdown.Time, path.Final.Time, 1e-9));
+    }
+
+    [Fact]
+    public void A_look_ahead_of_several_balls_names_the_condition_that_it_does_not_support()
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 1);
+        BallState[] balls = [simulator.Launch(simulator.OnGround(0, 0), new Vector3d(1, 0, 0), Vector3d.Zero)];
+        void Refused(string field, LookAheadRequest request) =>
+            Assert.Contains(field, Assert.ThrowsAny<ArgumentException>(() => group.LookAhead(balls, request, [new Trajectory()])).Message, StringComparison.Ordinal);
+        Refused("lookAhead.untilPassing", new LookAheadRequest { UntilPassing = Vector3d.Zero });
+        Refused("lookAhead.untilPlane", new LookAheadRequest { UntilPlane = new Plane3d(default, new Vector3d(1, 0, 0)) });
+    }
+
     [Fact]
     public void A_step_allocates_nothing()
     {
