@@ -55,7 +55,7 @@ internal sealed class Play(string folder, Sample sample) : IDisposable
             if (slow.Length == 0 || slow.Length < methods[of].Count())
             {
                 double seconds = methods[of].Sum(at => at.Seconds) - slow.Sum(at => at.Seconds);
-                _quick.Add(new Unit(of, classes is null ? seconds : Math.Max(seconds, Unknown), [.. slow.Select(at => at.Name)]));
+                _quick.Add(new Unit(of, methods.Contains(of) ? seconds : Unknown, [.. slow.Select(at => at.Name)]));
             }
         }
 

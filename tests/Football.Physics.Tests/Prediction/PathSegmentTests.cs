@@ -112,6 +112,32 @@ public sealed class PathSegmentTests
         Assert.InRange(inside, 50, 250);
     }
 
+    /// <summary>The path of a step of Euler's method is straight, and its velocity at the end is another one: distances and heights are those of the path.</summary>
+    [Fact]
+    public void Extremes_are_those_of_the_path_and_not_of_the_velocities_of_the_method()
+    {
+        var step = new PathSegment(0, 1, Vector3d.Zero, new(1, 0, 0), default, new(1, 0, 0), new(1, 5, 0), default, MotionState.Airborne, 2);
+        Assert.Equal(1, step.ClosestApproach(new Vector3d(0.25, 1, 0), out double time), 1e-12);
+        Assert.Equal(0.25, time, 1e-12);
+    }
+
+    /// <summary>A fall without air overwrites all of a segment that was used before.</summary>
+    [Fact]
+    public void A_fall_is_a_parabola_in_a_used_buffer()
+    {
+        var simulator = new Simulator(Scene.Vacuum);
+        BallState from = simulator.Launch(new Vector3d(1, 2, 3), new Vector3d(4, 5, -6), Vector3d.Zero);
+        PathSegment used = Of([new(9, 9, 9), new(8, 8, 8), new(7, 7, 7)], 5);
+        PathSegment.WriteFall(ref used, in from, 0.3, 0.3, 5 - (9.81 * 0.3), 2 + (5 * 0.3) - (4.905 * 0.09), -9.81, 5);
+        foreach (double t in (double[])[0, 0.1, 0.3])
+        {
+            Near(new Vector3d(1 + (4 * t), 2 + (5 * t) - (4.905 * t * t), 3 - (6 * t)), used.PositionAt(t));
+            Near(new Vector3d(4, 5 - (9.81 * t), -6), used.VelocityAt(t));
+        }
+
+        Assert.Equal((MotionState.Airborne, 0, 0.3, 5), (used.Motion, used.Time, used.EndTime, used.Degree));
+    }
+
     /// <summary>An arch above a point: both ends are nearest, and the earlier one is the answer.</summary>
     [Fact]
     public void Of_two_nearest_points_the_earlier_one_is_reported()
