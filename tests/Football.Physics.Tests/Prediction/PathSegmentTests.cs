@@ -119,6 +119,9 @@ public sealed class PathSegmentTests
         var step = new PathSegment(0, 1, Vector3d.Zero, new(1, 0, 0), default, new(1, 0, 0), new(1, 5, 0), default, MotionState.Airborne, 2);
         Assert.Equal(1, step.ClosestApproach(new Vector3d(0.25, 1, 0), out double time), 1e-12);
         Assert.Equal(0.25, time, 1e-12);
+
+        var climb = new PathSegment(3, 1, Vector3d.Zero, new(0, 1, 0), default, new(0, 1, 0), new(0, -1, 0), default, MotionState.Airborne, 2);
+        Assert.Equal((1, 4), (climb.Apex, climb.ApexTime));
     }
 
     /// <summary>A fall without air overwrites all of a segment that was used before.</summary>
