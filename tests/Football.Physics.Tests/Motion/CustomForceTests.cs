@@ -162,7 +162,7 @@ public sealed class CustomForceTests
     [Fact]
     public void A_state_that_is_not_finite_is_refused()
     {
-        BallState fine = new Simulator(Scene.Vacuum).Launch(s_high, new Vector3d(1, 2, 3), new Vector3d(4, 5, 6));
+        BallState fine = new Simulator().Launch(s_high, new Vector3d(1, 2, 3), new Vector3d(4, 5, 6));
         OwnForces.CheckOutcome(in fine);
         Refused(fine, (ref BallState s) => s.Position = new Vector3d(0, double.PositiveInfinity, 0));
         Refused(fine, (ref BallState s) => s.Velocity = new Vector3d(double.NaN, 0, 0));
