@@ -1,4 +1,3 @@
-using FootballPhysics.Laws;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Motion;
