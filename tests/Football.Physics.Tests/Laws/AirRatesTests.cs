@@ -1,7 +1,7 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Scenes;
 using FootballPhysics.State;
-using FootballPhysics.Tests.Scenes;
+using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Laws;
 

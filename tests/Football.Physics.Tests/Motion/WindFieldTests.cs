@@ -1,4 +1,3 @@
-using FootballPhysics.Tests.Scenes;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Motion;

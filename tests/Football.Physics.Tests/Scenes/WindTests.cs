@@ -1,3 +1,5 @@
+using FootballPhysics.Tests.Support;
+
 namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>Wind by height and gusts, against values worked out with another calculator.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics.Tests.Scenes;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>A field that is the same everywhere and always.</summary>
 internal sealed class UniformWind(Vector3d wind) : IWind
