@@ -19,16 +19,14 @@ public sealed class TrackFit
     private const double OtherSpin = 35;
     private const int TriedIfBouncing = 3;
 
-    /// <summary>From one viewpoint, another curl may fit as well, towards the camera and not away from it: the number of repetitions, and half the
-    /// edge of a cube of spins, in rad/s.</summary>
-    private const int OneViewTried = 8;
-    private const double Corner = 20;
-
     /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
 
     /// <summary>The distance below which two minima are the same, in standard deviations of the spin.</summary>
     private const double Apart = 3;
+
+    /// <summary>From one viewpoint, the scale of the prior of the launch's height, in m: balls are played by feet, heads and hands.</summary>
+    private const double Reach = 1;
 
     private readonly Scene _scene;
 
@@ -72,7 +70,8 @@ public sealed class TrackFit
         Check.Given(nameof(track), track);
         request ??= new TrackFitRequest();
         request.Validate();
-        return Find(new PixelSightings(cameras, track), request);
+        var seen = new PixelSightings(cameras, track);
+        return Find(seen, seen.IsOneView ? request with { HeightScale = Reach } : request);
     }
 
     private TrackFitResult Find(Sightings seen, TrackFitRequest request)
@@ -125,7 +124,7 @@ public sealed class TrackFit
         rivals = null;
         double expected = seen.Rows - best.Model.Count;
         int tried = 0;
-        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts(seen, launch, values) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
+        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts.Of(seen, launch, _scene, values) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
         foreach (double[] start in starts.OfType<double[]>())
         {
             if (!seen.IsOneView && best.ChiSquared(values) <= Poor * expected && (!bounces || tried == TriedIfBouncing))
@@ -153,7 +152,7 @@ public sealed class TrackFit
 
     /// <summary>Returns other initial spins: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
     /// way.</summary>
-    private static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
+    internal static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
@@ -166,19 +165,6 @@ public sealed class TrackFit
             request.Spin + (OtherSpin * Vector3d.Up),
             request.Spin - (OtherSpin * Vector3d.Up),
         ];
-    }
-
-    /// <summary>Returns the best starts of one viewpoint: those of the other spins, of the spin found with reversed sidespin, and of the corners of a cube.</summary>
-    private IEnumerable<double[]?> OneViewStarts(Sightings seen, TrackFitRequest launch, double[] values)
-    {
-        var found = new Vector3d(values[6], values[7], values[8]);
-        List<Vector3d> spins = [.. OtherSpins(values, launch), found - (2 * found.Y * Vector3d.Up), -found];
-        for (int i = 0; i < 8; i++)
-        {
-            spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
-        }
-
-        return spins.Select(spin => (Values: seen.Start(launch, in spin, _scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(OneViewTried).Select(start => start.Values);
     }
 
     /// <summary>Adds the other launch, by its probability p: C += p d dᵀ, with d its distance.</summary>
