@@ -5,15 +5,16 @@ namespace FootballPhysics.Tracks;
 internal sealed class TrackSearch
 {
     private const int MostSteps = 60;
-    private const double FirstDamping = 0.1;
-    private const double LeastDamping = 1e-2;
+    private const double FirstDamping = 1e-3;
+    private const double LeastDamping = 1e-3;
+    private const double LessDamping = 0.2;
 
     /// <summary>The gain of a step below which the search ends.</summary>
     private const double LeastGain = 0.02;
 
     /// <summary>The decrease of the cost at which the search restarts from the measurement, and the maximum number of restarts.</summary>
     private const double Lower = 0.1;
-    private const int MostSearches = 8;
+    private const int MostSearches = 40;
 
     /// <summary>The maximum number of tries to find a rise by one, the range of rises that is accepted, and the maximum factor between
     /// tries.</summary>
@@ -125,7 +126,7 @@ internal sealed class TrackSearch
                 Steps++;
                 better = Try(values, _count, 1.0, Cost, out double cost);
                 Cost = better ? cost : Cost;
-                damping = !better ? Math.Max(FirstDamping, 10 * damping) : damping < LeastDamping ? 0 : 0.1 * damping;
+                damping = !better ? Math.Max(FirstDamping, 10 * damping) : damping <= LeastDamping ? 0 : LessDamping * damping;
             }
         }
 
