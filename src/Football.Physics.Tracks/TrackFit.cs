@@ -28,6 +28,9 @@ public sealed class TrackFit
     /// <summary>From one viewpoint, the scale of the prior of the launch's height, in m: balls are played by feet, heads and hands.</summary>
     private const double Reach = 1;
 
+    /// <summary>The number of times that another depth may turn out to be the better one.</summary>
+    private const int MostDepths = 4;
+
     private readonly Scene _scene;
 
     /// <summary>Creates a fit for tracks of balls in a scene.</summary>
@@ -80,6 +83,12 @@ public sealed class TrackFit
         // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
         TrackSearch best = Search(seen, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
         bool converged = best.Measure(values);
+        for (int i = 0; i < MostDepths && seen.IsOneView && converged && !IsDepthMeasured(seen, request, best, values); i++)
+        {
+            best.Descend(values);
+            converged = best.Measure(values);
+        }
+
         bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
         if (isAmbiguous)
         {
@@ -91,10 +100,16 @@ public sealed class TrackFit
         {
             OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
             ByBall = WithOtherBalls(seen, request, best.Cost),
+            PathDepthError = seen.FirstCamera is null ? null : PathDepth.Error(seen, request, best.Model, values, best.Covariance),
         };
         RefuseBehind(seen, request, result);
         return result;
     }
+
+    /// <summary>Measures the uncertainty of the depth.</summary>
+    /// <returns>False if another depth fits better; the parameters are then its own.</returns>
+    private static bool IsDepthMeasured(Sightings seen, TrackFitRequest request, TrackSearch best, double[] values) =>
+        DepthProfile.Widen(seen, request, best.Model, values, best.Cost, TrackFitResult.ErrorAlong(best.Covariance, values.Length, 0, seen.FirstCamera!.Forward), best.Covariance);
 
     /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
     private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result)
