@@ -57,8 +57,10 @@ public sealed class TrackFit
 
     /// <summary>Estimates the launch of a ball from pixels of one or more cameras.</summary>
     /// <remarks>
-    /// The residuals are distances in the image. One camera suffices: gravity, a bounce and a launch on the ground reveal the depth.
-    /// <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// The residuals are distances in the image. One camera suffices if a bounce or a launch on the ground reveals the depth. Gravity alone hardly does: the lift of a
+    /// spin resembles it. <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// <para>From one viewpoint, a launch near the ground is assumed to be likelier: the prior of its height is a Cauchy distribution of scale 1 m. It hardly moves a
+    /// launch that the pixels reveal, even at 10 m.</para>
     /// </remarks>
     /// <param name="cameras">The cameras, at least one.</param>
     /// <param name="track">The observed pixels, in order of time; at least five points. The launch is at the first point.</param>
