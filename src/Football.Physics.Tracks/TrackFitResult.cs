@@ -173,8 +173,8 @@ public sealed class TrackFitResult
     /// <summary>The names of the quantities that the observations do not reveal: their values are no results.</summary>
     /// <remarks>
     /// They are the parameters for which <see cref="IsIdentified"/> is false, then <c>spin.alongVelocity</c>, the component of the spin along the launch velocity,
-    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis, and <c>path.depth</c>, the distance of the ball on
-    /// its way. A distance is identified if its standard error is below 0.5 m.
+    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis, and <c>path.depth</c>, that distance later on the
+    /// path. A distance is identified if its standard error is below 0.5 m.
     /// </remarks>
     public IReadOnlyList<string> Unidentified
     {
