@@ -28,6 +28,9 @@ public sealed class TrackFit
     /// <summary>From one viewpoint, the scale of the prior of the launch's height, in m: balls are played by feet, heads and hands.</summary>
     private const double Reach = 1;
 
+    /// <summary>The ratio of χ² below which cameras look the other way: few pixels with noise may fit a little better there.</summary>
+    private const double FarBetter = 0.1;
+
     /// <summary>The number of times that another depth may turn out to be the better one.</summary>
     private const int MostDepths = 4;
 
@@ -116,13 +119,14 @@ public sealed class TrackFit
     /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
     private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result)
     {
-        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite)
+        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite || opposite.Start(request, request.Spin, _scene, out _) is null)
         {
             return;
         }
 
         TrackSearch search = Search(opposite, request, out double[] values, out _, out _, out _);
-        if (!new TrackFitResult(search.Model, values, search.Covariance, opposite, search.ChiSquared(values), 0, true).IsPoor)
+        double chiSquared = search.ChiSquared(values);
+        if (chiSquared < FarBetter * result.ChiSquared && !new TrackFitResult(search.Model, values, search.Covariance, opposite, chiSquared, 0, true).IsPoor)
         {
             throw seen.Unseen(request, _scene);
         }

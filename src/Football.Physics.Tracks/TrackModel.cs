@@ -12,6 +12,9 @@ internal sealed class TrackModel
     private const double MostSpeed = 300;
     private const double MostSpin = 1000;
 
+    /// <summary>The largest sliding friction that a scene allows; a search may try to exceed it.</summary>
+    private const double MostSlidingFriction = 10;
+
     /// <summary>The index of the first component of the spin. It, and all after it, have a prior.</summary>
     public const int FirstSpin = 6;
 
@@ -129,7 +132,7 @@ internal sealed class TrackModel
                 {
                     NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.NormalRestitution),
                     ImpactFriction = Math.Max(0, friction) * turf.ImpactFriction,
-                    SlidingFriction = Math.Max(0, friction) * turf.SlidingFriction,
+                    SlidingFriction = Math.Min(MostSlidingFriction, Math.Max(0, friction) * turf.SlidingFriction),
                 },
             },
         };
