@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Tracks;
 
 /// <summary>Checks the uncertainty of the depth of a launch that is seen from one viewpoint.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Tracks;
 
 /// <summary>The standard error of a ball's distance from the first camera, along the fitted path.</summary>
