@@ -6,6 +6,10 @@ namespace FootballPhysics.Tracks;
 public sealed record MatchFitRequest
 {
     /// <summary>True to estimate a horizontal, steady wind. Default true.</summary>
+    /// <remarks>
+    /// The wind requires several flights in different directions. In a single flight, a sidespin of 3 rad/s resembles a crosswind of 4 m/s: the result is then close to
+    /// the scene's wind, and its standard error is nearly <see cref="WindDeviation"/>.
+    /// </remarks>
     public bool Wind { get; init; } = true;
 
     /// <summary>True to estimate the drag of the ball. Default true.</summary>

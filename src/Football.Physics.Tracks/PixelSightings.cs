@@ -41,6 +41,12 @@ internal sealed class PixelSightings : Sightings
         CheckDuration(Duration);
     }
 
+    private PixelSightings(TrackCamera[] cameras, ReadOnlySpan<PixelPoint> points)
+    {
+        _cameras = cameras;
+        _points = points.ToArray();
+    }
+
     public override int Count => _points.Length;
 
     public override int Rows => 2 * _points.Length;
@@ -60,6 +66,8 @@ internal sealed class PixelSightings : Sightings
         (misses[2 * index], misses[(2 * index) + 1]) = (across, down);
         return (across * across) + (down * down);
     }
+
+    public override Sightings First(int count) => count < _points.Length ? new PixelSightings(_cameras, _points.AsSpan(0, count)) : this;
 
     public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost) =>
         new PixelStart(_cameras, _points, request, scene).Find(this, in spin, out cost);

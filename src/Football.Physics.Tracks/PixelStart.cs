@@ -25,6 +25,9 @@ internal sealed class PixelStart
     private const double Ground = 0.01;
     private const double Tried = 0.1;
 
+    /// <summary>The standard deviation of the speed along an axis, in m/s, if nothing else gives a start.</summary>
+    private const double Speed = 20;
+
     private readonly TrackCamera[] _cameras;
     private readonly PixelPoint[] _points;
     private readonly TrackModel _model;
@@ -58,13 +61,13 @@ internal sealed class PixelStart
         double lowest = double.PositiveInfinity;
         TrackCamera first = _cameras[_points[0].Camera];
         double contact = _model.Simulator(new double[TrackModel.Launch]).ContactHeight;
-        void Try(double span, Vector3d axis, double value, double deviation, in Vector3d spin)
+        void Try(double span, Vector3d axis, double value, double deviation, in Vector3d spin, double speed = double.PositiveInfinity, double depth = 1)
         {
             int count = CountWithin(span);
-            StartOver();
+            StartOver(depth);
             for (int pass = 0; pass < Passes; pass++)
             {
-                if (!Solve(count, in axis, value, deviation))
+                if (!Solve(count, in axis, value, deviation, speed))
                 {
                     return;
                 }
@@ -102,6 +105,12 @@ internal sealed class PixelStart
             Try(s_spans[1], first.Forward, depth - from, Tried, in spin);
         }
 
+        // A ball that hardly moves in the image may come or go at any speed, and so be behind the camera soon.
+        foreach (double depth in best is null ? s_depths : [])
+        {
+            Try(s_spans[1], first.Forward, depth - from, Tried, in spin, Speed, depth);
+        }
+
         least = lowest;
         return best;
     }
@@ -137,19 +146,19 @@ internal sealed class PixelStart
         return count;
     }
 
-    /// <summary>The deflections of gravity alone, and equal weights.</summary>
-    private void StartOver()
+    /// <summary>The deflections of gravity alone, and equal weights of a depth.</summary>
+    private void StartOver(double depth = 1)
     {
         for (int i = 0; i < _points.Length; i++)
         {
             double t = _points[i].Time - _points[0].Time;
             _deflections[i] = new Vector3d(0, 0.5 * _upward * t * t, 0);
-            _weights[i] = 1;
+            _weights[i] = 1 / depth;
         }
     }
 
-    /// <summary>Solves for p₀ and v: (P₁ − u P₃)·(p₀ + v t + d, 1) = 0 and (P₂ − v P₃)·(p₀ + v t + d, 1) = 0, and axis·p₀ = value.</summary>
-    private bool Solve(int count, in Vector3d axis, double value, double deviation)
+    /// <summary>Solves for p₀ and v: (P₁ − u P₃)·(p₀ + v t + d, 1) = 0 and (P₂ − v P₃)·(p₀ + v t + d, 1) = 0, axis·p₀ = value and axis·v = 0.</summary>
+    private bool Solve(int count, in Vector3d axis, double value, double deviation, double speed = double.PositiveInfinity)
     {
         Array.Clear(_normal, 0, _normal.Length);
         Array.Clear(_right, 0, _right.Length);
@@ -165,12 +174,14 @@ internal sealed class PixelStart
         }
 
         Add(in axis, 0, value, double.IsInfinity(deviation) ? 0 : 1 / deviation);
+        AddRow([0, 0, 0, axis.X, axis.Y, axis.Z], 0, double.IsInfinity(speed) ? 0 : 1 / speed);
         return Linear.Solve(_normal, _right, _solution, Unknowns);
     }
 
-    private void Add(in Vector3d n, double t, double value, double weight)
+    private void Add(in Vector3d n, double t, double value, double weight) => AddRow([n.X, n.Y, n.Z, t * n.X, t * n.Y, t * n.Z], value, weight);
+
+    private void AddRow(ReadOnlySpan<double> row, double value, double weight)
     {
-        ReadOnlySpan<double> row = [n.X, n.Y, n.Z, t * n.X, t * n.Y, t * n.Z];
         for (int i = 0; i < Unknowns; i++)
         {
             _right[i] += weight * weight * row[i] * value;

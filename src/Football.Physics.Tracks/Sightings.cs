@@ -28,6 +28,9 @@ internal abstract class Sightings
     /// <summary>Returns initial values for the launch with a given spin, and their cost if it was computed; null if there are none.</summary>
     public abstract double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost);
 
+    /// <summary>Returns the first observations.</summary>
+    public virtual Sightings First(int count) => throw new NotSupportedException();
+
     /// <summary>Returns the same pixels with the cameras turned round that the ball seems to be behind; null if there is no such camera.</summary>
     public virtual Sightings? Opposite(TrackFitRequest request, Scene scene) => null;
 

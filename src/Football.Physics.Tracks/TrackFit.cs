@@ -19,11 +19,6 @@ public sealed class TrackFit
     private const double OtherSpin = 35;
     private const int TriedIfBouncing = 3;
 
-    /// <summary>From one viewpoint, another curl may fit as well, towards the camera and not away from it: the number of repetitions, and half the
-    /// edge of a cube of spins, in rad/s.</summary>
-    private const int OneViewTried = 8;
-    private const double Corner = 20;
-
     /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
 
@@ -32,6 +27,15 @@ public sealed class TrackFit
 
     /// <summary>The usual number of simulated paths in a part of the fit.</summary>
     private const double Checks = 300;
+
+    /// <summary>From one viewpoint, the scale of the prior of the launch's height, in m: balls are played by feet, heads and hands.</summary>
+    private const double Reach = 1;
+
+    /// <summary>The ratio of χ² below which cameras look the other way: few pixels with noise may fit a little better there.</summary>
+    private const double FarBetter = 0.1;
+
+    /// <summary>The number of times that another depth may turn out to be the better one.</summary>
+    private const int MostDepths = 4;
 
     private readonly Scene _scene;
 
@@ -69,8 +73,10 @@ public sealed class TrackFit
 
     /// <summary>Estimates the launch of a ball from pixels of one or more cameras.</summary>
     /// <remarks>
-    /// The residuals are distances in the image. One camera suffices: gravity, a bounce and a launch on the ground reveal the depth.
-    /// <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// The residuals are distances in the image. One camera suffices if a bounce or a launch on the ground reveals the depth. Gravity alone hardly does: the lift of a
+    /// spin resembles it. <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// <para>From one viewpoint, a launch near the ground is assumed to be likelier: the prior of its height is a Cauchy distribution of scale 1 m. It hardly moves a
+    /// launch that the pixels reveal, even at 10 m.</para>
     /// </remarks>
     /// <param name="cameras">The cameras, at least one.</param>
     /// <param name="track">The observed pixels, in order of time; at least five points. The launch is at the first point.</param>
@@ -98,7 +104,8 @@ public sealed class TrackFit
         Check.Given(nameof(track), track);
         request ??= new TrackFitRequest();
         request.Validate();
-        return Find(new PixelSightings(cameras, track), request, new FitWatch(progress, Checks, cancellation));
+        var seen = new PixelSightings(cameras, track);
+        return Find(seen, seen.IsOneView ? request with { HeightScale = Reach } : request, new FitWatch(progress, Checks, cancellation));
     }
 
     private TrackFitResult Find(Sightings seen, TrackFitRequest request, FitWatch watch)
@@ -109,6 +116,12 @@ public sealed class TrackFit
         TrackSearch best = Search(seen, request, watch, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
         watch.Start(0.7);
         bool converged = best.Measure(values);
+        for (int i = 0; i < MostDepths && seen.IsOneView && converged && !IsDepthMeasured(seen, request, best, values, watch); i++)
+        {
+            best.Descend(values);
+            converged = best.Measure(values);
+        }
+
         bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
         if (isAmbiguous)
         {
@@ -121,22 +134,29 @@ public sealed class TrackFit
         {
             OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
             ByBall = WithOtherBalls(seen, request, best.Cost, watch),
+            PathDepthError = seen.FirstCamera is null ? null : PathDepth.Error(seen, request, best.Model, values, best.Covariance),
         };
         RefuseBehind(seen, request, result, watch);
         watch.Finish();
         return result;
     }
 
+    /// <summary>Measures the uncertainty of the depth.</summary>
+    /// <returns>False if another depth fits better; the parameters are then its own.</returns>
+    private static bool IsDepthMeasured(Sightings seen, TrackFitRequest request, TrackSearch best, double[] values, FitWatch watch) =>
+        DepthProfile.Widen(seen, request, best.Model, values, best.Cost, TrackFitResult.ErrorAlong(best.Covariance, values.Length, 0, seen.FirstCamera!.Forward), best.Covariance, watch);
+
     /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
     private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result, FitWatch watch)
     {
-        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite)
+        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite || opposite.Start(request, request.Spin, _scene, out _) is null)
         {
             return;
         }
 
         TrackSearch search = Search(opposite, request, watch, out double[] values, out _, out _, out _);
-        if (!new TrackFitResult(search.Model, values, search.Covariance, opposite, search.ChiSquared(values), 0, true).IsPoor)
+        double chiSquared = search.ChiSquared(values);
+        if (chiSquared < FarBetter * result.ChiSquared && !new TrackFitResult(search.Model, values, search.Covariance, opposite, chiSquared, 0, true).IsPoor)
         {
             throw seen.Unseen(request, _scene);
         }
@@ -155,7 +175,7 @@ public sealed class TrackFit
         rivals = null;
         double expected = seen.Rows - best.Model.Count;
         int tried = 0;
-        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts(seen, launch, values) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
+        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts.Of(seen, launch, _scene, values, watch) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
         foreach (double[] start in starts.OfType<double[]>())
         {
             if (!seen.IsOneView && best.ChiSquared(values) <= Poor * expected && (!bounces || tried == TriedIfBouncing))
@@ -183,7 +203,7 @@ public sealed class TrackFit
 
     /// <summary>Returns other initial spins: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
     /// way.</summary>
-    private static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
+    internal static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
@@ -196,19 +216,6 @@ public sealed class TrackFit
             request.Spin + (OtherSpin * Vector3d.Up),
             request.Spin - (OtherSpin * Vector3d.Up),
         ];
-    }
-
-    /// <summary>Returns the best starts of one viewpoint: those of the other spins, of the spin found with reversed sidespin, and of the corners of a cube.</summary>
-    private IEnumerable<double[]?> OneViewStarts(Sightings seen, TrackFitRequest launch, double[] values)
-    {
-        var found = new Vector3d(values[6], values[7], values[8]);
-        List<Vector3d> spins = [.. OtherSpins(values, launch), found - (2 * found.Y * Vector3d.Up), -found];
-        for (int i = 0; i < 8; i++)
-        {
-            spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
-        }
-
-        return spins.Select(spin => (Values: seen.Start(launch, in spin, _scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(OneViewTried).Select(start => start.Values);
     }
 
     /// <summary>Adds the other launch, by its probability p: C += p d dᵀ, with d its distance.</summary>

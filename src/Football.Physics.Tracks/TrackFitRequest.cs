@@ -34,6 +34,12 @@ public sealed record TrackFitRequest
     /// <remarks>The height of the launch is then that of contact, to 1 cm. From the pixels of one camera, this gives the depth of a flight without a bounce.</remarks>
     public bool FromGround { get; init; }
 
+    /// <summary>The scale of the prior of the launch's height above contact, a Cauchy distribution, in m; infinite for none.</summary>
+    internal double HeightScale { get; init; } = double.PositiveInfinity;
+
+    /// <summary>The standard deviation of a normal prior of that height instead, for starts of searches, in m; infinite for none.</summary>
+    internal double HeightDeviation { get; init; } = double.PositiveInfinity;
+
     /// <summary>Other balls that could be the tracked ball. Default none.</summary>
     /// <remarks>
     /// The fit is repeated with each of them, for <see cref="TrackFitResult.DeviationOverBalls"/>. The standard errors of a single fit contain only

@@ -94,8 +94,12 @@ public sealed class TrackFitResult
         : Probability > 1.0 - Rare ? TrackVerdict.NoiseOverestimated
         : TrackVerdict.AsExpected;
 
-    /// <summary>The verdict as a sentence with its numbers.</summary>
-    public string Explanation
+    /// <summary>The verdict in plain words with its numbers, and a depth that pixels do not reveal.</summary>
+    public string Explanation => IsLost(DepthError) || IsLost(PathDepthError)
+        ? FormattableString.Invariant($"{VerdictInWords} The pixels do not reveal the distance from the camera: ± {DepthError:0.##} m at the launch, up to ± {PathDepthError:0.##} m later. Do not use positions and velocities along the line of sight. If the ball starts on the ground, set FromGround. A bounce in the track, or a second camera, also reveals the distance.")
+        : VerdictInWords;
+
+    private string VerdictInWords
     {
         get
         {
@@ -169,7 +173,8 @@ public sealed class TrackFitResult
     /// <summary>The names of the quantities that the observations do not reveal: their values are no results.</summary>
     /// <remarks>
     /// They are the parameters for which <see cref="IsIdentified"/> is false, then <c>spin.alongVelocity</c>, the component of the spin along the launch velocity,
-    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis.
+    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis, and <c>path.depth</c>, that distance later on the
+    /// path. A distance is identified if its standard error is below 0.5 m.
     /// </remarks>
     public IReadOnlyList<string> Unidentified
     {
@@ -189,9 +194,14 @@ public sealed class TrackFitResult
                 names.Add("spin.alongVelocity");
             }
 
-            if (DepthError is { } depth && !(Converged && depth < MostPlaceError))
+            if (IsLost(DepthError))
             {
                 names.Add("position.depth");
+            }
+
+            if (IsLost(PathDepthError))
+            {
+                names.Add("path.depth");
             }
 
             return names;
@@ -204,6 +214,11 @@ public sealed class TrackFitResult
     /// <summary>The standard error of the launch's distance from the first camera along its axis, in m; null for a track of positions.</summary>
     public double? DepthError => _camera is null ? null : ErrorAlong(0, _camera.Forward);
 
+    /// <summary>The largest standard error of the ball's distance from the first camera along its axis, over the track, in m; null for a track of
+    /// positions.</summary>
+    /// <remarks>It can be much larger than <see cref="DepthError"/>: one camera hardly sees a curl towards itself.</remarks>
+    public double? PathDepthError { get; internal init; }
+
     /// <summary>Returns the covariance of two parameters.</summary>
     /// <param name="row">The index of the first parameter, from 0.</param>
     /// <param name="column">The index of the second parameter, from 0.</param>
@@ -215,8 +230,13 @@ public sealed class TrackFitResult
         return _covariance[(row * _values.Length) + column];
     }
 
+    /// <summary>True for pixels that do not reveal a distance from the camera.</summary>
+    private bool IsLost(double? error) => error is { } depth && !(Converged && depth < MostPlaceError);
+
     /// <summary>Returns the standard error of a vector's component along a unit vector.</summary>
-    private double ErrorAlong(int first, in Vector3d axis)
+    private double ErrorAlong(int first, in Vector3d axis) => ErrorAlong(_covariance, _values.Length, first, in axis);
+
+    internal static double ErrorAlong(double[] covariance, int count, int first, in Vector3d axis)
     {
         ReadOnlySpan<double> n = [axis.X, axis.Y, axis.Z];
         double sum = 0;
@@ -225,7 +245,7 @@ public sealed class TrackFitResult
             for (int j = 0; j < n.Length; j++)
             {
                 // Skip 0 · ∞ of a fit without covariances.
-                sum += n[i] == 0 || n[j] == 0 ? 0 : n[i] * n[j] * _covariance[((first + i) * _values.Length) + first + j];
+                sum += n[i] == 0 || n[j] == 0 ? 0 : n[i] * n[j] * covariance[((first + i) * count) + first + j];
             }
         }
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The parameters of a fit: the launch, and factors of a scene.</summary>
@@ -9,6 +11,9 @@ internal sealed class TrackModel
     /// <summary>The maximum speed, in m/s, and spin, in rad/s, that a search tries.</summary>
     private const double MostSpeed = 300;
     private const double MostSpin = 1000;
+
+    /// <summary>The largest sliding friction that a scene allows; a search may try to exceed it.</summary>
+    private const double MostSlidingFriction = 10;
 
     /// <summary>The index of the first component of the spin. It, and all after it, have a prior.</summary>
     public const int FirstSpin = 6;
@@ -49,7 +54,7 @@ internal sealed class TrackModel
 
     /// <summary>Returns the prior standard deviation of a parameter; infinite without a prior.</summary>
     public double KnownDeviation(int number) =>
-        number == Height && _request.FromGround ? GroundDeviation
+        number == Height ? _request.FromGround ? GroundDeviation : _request.HeightDeviation
         : number < FirstSpin ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
 
     /// <summary>Adds the prior: N += 1/σ², g += (likely − value)/σ².</summary>
@@ -61,8 +66,14 @@ internal sealed class TrackModel
         {
             double weight = 1.0 / (KnownDeviation(i) * KnownDeviation(i));
             double off = Likely(i) - values[i];
-            gradient[i] += weight * off;
             cost += weight * off * off;
+            if (i == Height && HasCauchy)
+            {
+                weight = HeightWeight(off);
+                cost += HeightCost(off);
+            }
+
+            gradient[i] += weight * off;
             if (normal is not null)
             {
                 normal[(i * Count) + i] += weight;
@@ -72,10 +83,10 @@ internal sealed class TrackModel
         return cost;
     }
 
-    /// <summary>Returns the cost of the prior, Σ (likely − value)²/σ².</summary>
+    /// <summary>Returns the cost of the prior, Σ (likely − value)²/σ² and that of the height.</summary>
     public double KnownCost(double[] values)
     {
-        double cost = 0;
+        double cost = HasCauchy ? HeightCost(Likely(Height) - values[Height]) : 0;
         for (int i = 0; i < Count; i++)
         {
             double off = (Likely(i) - values[i]) / KnownDeviation(i);
@@ -84,6 +95,16 @@ internal sealed class TrackModel
 
         return cost;
     }
+
+    /// <summary>True if the height has no normal prior, but that of a Cauchy distribution.</summary>
+    private bool HasCauchy => double.IsInfinity(KnownDeviation(Height)) && !double.IsInfinity(_request.HeightScale);
+
+    /// <summary>Returns −2 log of a Cauchy distribution, 2 log(1 + h²/s²): a launch high up is unlikely, but a little higher hardly less likely.</summary>
+    private double HeightCost(double off) =>
+        2 * Elementary.Log(1 + (off * off / (_request.HeightScale * _request.HeightScale)));
+
+    /// <summary>Returns the weight w of the height's prior, with the gradient w h.</summary>
+    private double HeightWeight(double off) => 2 / ((_request.HeightScale * _request.HeightScale) + (off * off));
 
     /// <summary>True if the parameters describe a valid launch.</summary>
     public static bool IsLaunch(double[] v) =>
@@ -111,7 +132,7 @@ internal sealed class TrackModel
                 {
                     NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.NormalRestitution),
                     ImpactFriction = Math.Max(0, friction) * turf.ImpactFriction,
-                    SlidingFriction = Math.Max(0, friction) * turf.SlidingFriction,
+                    SlidingFriction = Math.Min(MostSlidingFriction, Math.Max(0, friction) * turf.SlidingFriction),
                 },
             },
         };

@@ -7,6 +7,12 @@ internal sealed class TrackSearch
     private const int MostSteps = 60;
     private const double FirstDamping = 0.1;
     private const double LeastDamping = 1e-2;
+    private const double LessDamping = 0.1;
+
+    /// <summary>The same from one viewpoint, whose costs have long curved valleys.</summary>
+    private const double FirstValleyDamping = 1e-3;
+    private const double LeastValleyDamping = 2e-3;
+    private const double LessValleyDamping = 0.2;
 
     /// <summary>The gain of a step below which the search ends.</summary>
     private const double LeastGain = 0.02;
@@ -14,6 +20,7 @@ internal sealed class TrackSearch
     /// <summary>The decrease of the cost at which the search restarts from the measurement, and the maximum number of restarts.</summary>
     private const double Lower = 0.1;
     private const int MostSearches = 8;
+    private const int MostValleySearches = 40;
 
     /// <summary>The maximum number of tries to find a rise by one, the range of rises that is accepted, and the maximum factor between
     /// tries.</summary>
@@ -35,6 +42,7 @@ internal sealed class TrackSearch
 
     private readonly TrackPaths _paths;
     private readonly TrackSecants _secants;
+    private readonly bool _isOneView;
     private readonly int _count;
     private readonly double[] _step;
     private readonly double[] _tried;
@@ -48,6 +56,7 @@ internal sealed class TrackSearch
         Model = model;
         _paths = new TrackPaths(seen, request, model, watch);
         _secants = new TrackSecants(_paths, model);
+        _isOneView = seen.IsOneView;
         _count = model.Count;
         _step = new double[_count];
         _tried = new double[_count];
@@ -76,7 +85,7 @@ internal sealed class TrackSearch
     public bool Measure(double[] values)
     {
         bool converged = _isFound;
-        for (int i = 0; i < MostSearches && _hasAxes; i++)
+        for (int i = 0; i < (_isOneView ? MostValleySearches : MostSearches) && _hasAxes; i++)
         {
             if (MeasureAxes(values))
             {
@@ -125,7 +134,8 @@ internal sealed class TrackSearch
                 Steps++;
                 better = Try(values, _count, 1.0, Cost, out double cost);
                 Cost = better ? cost : Cost;
-                damping = !better ? Math.Max(FirstDamping, 10 * damping) : damping < LeastDamping ? 0 : 0.1 * damping;
+                damping = !better ? Math.Max(_isOneView ? FirstValleyDamping : FirstDamping, 10 * damping)
+                    : damping < (_isOneView ? LeastValleyDamping : LeastDamping) ? 0 : (_isOneView ? LessValleyDamping : LessDamping) * damping;
             }
         }
 

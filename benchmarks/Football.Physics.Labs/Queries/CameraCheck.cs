@@ -5,116 +5,137 @@ namespace FootballPhysics.Labs.Queries;
 /// <summary>Flights of random kicks, seen by fixed cameras at 50 Hz with a noise of one pixel, and how well fits of the pixels find them.</summary>
 internal sealed class CameraCheck
 {
+    /// <summary>The time for which a flight is seen at most, s.</summary>
+    public const double Longest = 3;
+
     private const double Interval = 0.02;
     private const double Noise = 1;
 
     /// <summary>The largest spin that is drawn, and the deviation of its components, which the fits are told, rad/s.</summary>
     private const double MostSpin = 60;
     private const double SpinDeviation = 20;
-    private const double Longest = 3;
+
+    /// <summary>The deviation of the height of a launch on the ground, and the scale of that of another one seen from one viewpoint, m: what fits assume.</summary>
+    private const double Ground = 0.01;
+    private const double Reach = 1;
+
     private const double Width = 1920;
     private const double Height = 1080;
     private const double FocalLength = 3000;
 
-    private static readonly TrackCamera[] s_cameras =
-    [
-        TrackCamera.LookingAt(new Vector3d(60, 25, 0), new Vector3d(0, 2, 0), FocalLength, Width, Height),
-        TrackCamera.LookingAt(new Vector3d(0, 25, 60), new Vector3d(0, 2, 0), FocalLength, Width, Height),
-    ];
+    private static readonly Vector3d[] s_places = [new(60, 25, 0), new(0, 25, 60)];
+    private static readonly Vector3d s_target = new(0, 2, 0);
+    private static readonly TrackCamera[] s_cameras = [.. s_places.Select(place => TrackCamera.LookingAt(place, s_target, FocalLength, Width, Height))];
+    private static readonly Pinhole[] s_pinholes = [.. s_places.Select(place => new Pinhole(place, s_target, FocalLength))];
 
-    private readonly TrackFit _fit = new(Scene.Measured);
     private readonly TrackCamera[] _cameras;
     private readonly double _longest;
     private readonly bool _fromGround;
+    private readonly double _inPlay;
+    private readonly double _contact;
 
     /// <summary>Prepares.</summary>
     /// <param name="cameras">The number of cameras.</param>
-    /// <param name="longest">The time for which a flight is seen, s.</param>
     /// <param name="fromGround">Whether the fit is told that the ball starts on the ground.</param>
-    public CameraCheck(int cameras, bool fromGround, double longest = Longest)
+    /// <param name="inPlay">The share of flights that begin in the air.</param>
+    /// <param name="longest">The time for which a flight is seen at most, s.</param>
+    public CameraCheck(int cameras, bool fromGround, double inPlay = 0, double longest = Longest)
     {
         _cameras = s_cameras[..cameras];
         _longest = longest;
         _fromGround = fromGround;
+        _inPlay = inPlay;
+        _contact = new Simulator(Scene.Measured).ContactHeight;
     }
 
-    /// <summary>The results, flight by flight.</summary>
-    public List<CameraFlight> Flights { get; } = [];
-
-    /// <summary>Draws a kick, sees it, fits it.</summary>
-    public void Run(SeededRandom random)
+    /// <summary>Draws a kick, sees it, fits it. May run on several threads.</summary>
+    public CameraFlight Run(SeededRandom random)
     {
-        // The kick begins on the ground before the centre of the image and is seen until it leaves the image.
-        var simulator = new Simulator(Scene.Measured);
-        Vector3d velocity = random.Velocity(14, 28, 8, 35);
-        Vector3d spin = random.Uniform(0, MostSpin) * random.Direction();
-        var ahead = new Vector3d(velocity.X, 0, velocity.Z);
-        Vector3d from = (-random.Uniform(6, 12) / ahead.Length * ahead) + new Vector3d(random.Uniform(-3, 3), 0.11, random.Uniform(-3, 3));
-        BallState ball = simulator.Launch(from, velocity, spin);
-        var log = new StepLog();
+        // 1. The kick: before the centre of the image, with its first bounces. 2. The pixels, until the ball leaves the image. 3. The fit, the bound, the errors.
+        double[] truth = Draw(random);
+        int count = 1 + (int)(_longest / Interval);
+        Vector3d[] path = Path(truth, count, out _);
         List<PixelPoint> seen = [];
-        List<Vector3d> truth = [];
+        List<(int, Pinhole)> pixels = [];
+        double cost = Known(truth);
         int last = 0;
-        double noise = spin.LengthSquared / (SpinDeviation * SpinDeviation);
-        for (int i = 0; i * Interval <= _longest; i++)
+        for (int i = 0; i < count; i++)
         {
             for (int camera = 0; camera < _cameras.Length; camera++)
             {
-                if (_cameras[camera].TryProject(ball.Position, out double u, out double v) && u >= 0 && u <= Width && v >= 0 && v <= Height)
+                if (_cameras[camera].TryProject(path[i], out double u, out double v) && u >= 0 && u <= Width && v >= 0 && v <= Height)
                 {
                     var point = new PixelPoint(i * Interval, camera, Normal(random, u), Normal(random, v), Noise);
-                    noise += (((point.U - u) * (point.U - u)) + ((point.V - v) * (point.V - v))) / (Noise * Noise);
+                    cost += (((point.U - u) * (point.U - u)) + ((point.V - v) * (point.V - v))) / (Noise * Noise);
                     seen.Add(point);
+                    pixels.Add((i, s_pinholes[camera]));
                     last = i;
                 }
             }
-
-            truth.Add(ball.Position);
-            log.Clear();
-            simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
         }
 
-        TrackFitResult found = _fit.Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround, SpinDeviation = SpinDeviation });
-        Judge(found, [.. truth.Take(last + 1)], from, velocity, spin, noise);
+        path = Path(truth, last + 1, out bool bounces);
+        TrackFitResult found = new TrackFit(Scene.Measured).Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround, SpinDeviation = SpinDeviation });
+        double least = CameraBound.Squares(launch => Path(launch, last + 1, out _), truth, pixels, Noise, HeightVariance, SpinDeviation * SpinDeviation);
+        return Judge(found, truth, path, bounces, least, cost);
+    }
+
+    /// <summary>The variance to which a fit knows the height; of a Cauchy distribution, the inverse of its information.</summary>
+    private double HeightVariance => _fromGround ? Ground * Ground : _cameras.Length == 1 ? 2 * Reach * Reach : double.PositiveInfinity;
+
+    /// <summary>A launch: position, velocity, spin. From the ground, or played by foot, head or hand.</summary>
+    private double[] Draw(SeededRandom random)
+    {
+        bool inPlay = _inPlay > 0 && random.Chance(_inPlay);
+        double height = inPlay ? random.Uniform(0.3, 2.2) : 0.11;
+        Vector3d velocity = inPlay ? random.Velocity(10, 26, -5, 35) : random.Velocity(14, 28, 8, 35);
+        Vector3d spin = random.Uniform(0, MostSpin) * random.Direction();
+        var ahead = new Vector3d(velocity.X, 0, velocity.Z);
+        Vector3d from = (-random.Uniform(6, 12) / ahead.Length * ahead) + new Vector3d(random.Uniform(-3, 3), height, random.Uniform(-3, 3));
+        return [from.X, from.Y, from.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z];
+    }
+
+    /// <summary>The places of a ball at the times of the images, and whether it bounces among them.</summary>
+    private static Vector3d[] Path(double[] launch, int count, out bool bounces)
+    {
+        var simulator = new Simulator(Scene.Measured);
+        BallState ball = simulator.Launch(
+            new Vector3d(launch[0], launch[1], launch[2]), new Vector3d(launch[3], launch[4], launch[5]), new Vector3d(launch[6], launch[7], launch[8]));
+        var log = new StepLog();
+        var path = new Vector3d[count];
+        bounces = false;
+        for (int i = 0; i < count; i++)
+        {
+            path[i] = ball.Position;
+            log.Clear();
+            if (i + 1 < count)
+            {
+                simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
+                bounces |= log.Events.Impacts > 0;
+            }
+        }
+
+        return path;
+    }
+
+    /// <summary>The cost of what a fit knows before.</summary>
+    private double Known(double[] launch)
+    {
+        double off = launch[1] - _contact;
+        double height = _fromGround ? off * off / (Ground * Ground) : _cameras.Length == 1 ? 2 * Math.Log(1 + (off * off / (Reach * Reach))) : 0;
+        return height + (((launch[6] * launch[6]) + (launch[7] * launch[7]) + (launch[8] * launch[8])) / (SpinDeviation * SpinDeviation));
     }
 
     private static double Normal(SeededRandom random, double mean) =>
         mean + (Noise * Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next()));
 
-    private void Judge(TrackFitResult found, Vector3d[] truth, Vector3d from, Vector3d velocity, Vector3d spin, double cost)
+    private CameraFlight Judge(TrackFitResult found, double[] truth, Vector3d[] path, bool bounces, double least, double cost)
     {
-        var simulator = new Simulator(Scene.Measured);
-        BallState ball = simulator.Launch(found.Position, found.Velocity, found.Spin);
-        var log = new StepLog();
-        double squares = 0;
-        foreach (Vector3d place in truth)
-        {
-            squares += (place - ball.Position).LengthSquared;
-            log.Clear();
-            simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
-        }
-
-        double[] errors = [.. new[] { found.Position - from, found.Velocity - velocity, found.Spin - spin }.SelectMany(v => new[] { v.X, v.Y, v.Z })];
-        Flights.Add(new CameraFlight(
-            squares, truth.Length, (found.Spin - spin).Length, found.Verdict, found.Unidentified,
-            Enumerable.Range(0, errors.Length).Count(i => found.IsIdentified(i) && Math.Abs(errors[i]) > 4 * found.StandardError(i)),
-            found.ChiSquared + (found.Spin.LengthSquared / (SpinDeviation * SpinDeviation)) - cost));
+        double[] launch = [.. Enumerable.Range(0, truth.Length).Select(found.Value)];
+        double squares = Path(launch, path.Length, out _).Zip(path, (a, b) => (a - b).LengthSquared).Sum();
+        return new CameraFlight(
+            squares, least, path.Length, bounces, (found.Spin - new Vector3d(truth[6], truth[7], truth[8])).Length, found.Verdict, found.Unidentified,
+            Enumerable.Range(0, truth.Length).Count(i => found.IsIdentified(i) && Math.Abs(launch[i] - truth[i]) > 4 * found.StandardError(i)),
+            found.ChiSquared + Known(launch) - cost);
     }
-}
-
-/// <summary>A fit of a flight.</summary>
-/// <param name="Squares">The sum of the squared distances between fitted and true path, m².</param>
-/// <param name="Points">The number of distances.</param>
-/// <param name="Spin">The error of the spin, rad/s.</param>
-/// <param name="Verdict">The fit's verdict.</param>
-/// <param name="Unidentified">The quantities that it does not give as results.</param>
-/// <param name="Wrong">The number of given results that are off by more than four standard errors.</param>
-/// <param name="Excess">The cost above that of the true launch; negative for a minimum that is as good.</param>
-internal sealed record CameraFlight(double Squares, int Points, double Spin, TrackVerdict Verdict, IReadOnlyList<string> Unidentified, int Wrong, double Excess)
-{
-    /// <summary>Whether the fit gives a depth, and finds nothing wrong with itself.</summary>
-    public bool IsGood => Verdict is TrackVerdict.AsExpected or TrackVerdict.NoiseOverestimated && !Unidentified.Contains("position.depth");
-
-    /// <summary>The root mean square of the distances of some flights, m.</summary>
-    public static double Rms(IEnumerable<CameraFlight> flights) => Math.Sqrt(flights.Sum(flight => flight.Squares) / Math.Max(1, flights.Sum(flight => flight.Points)));
 }

@@ -32,6 +32,7 @@ internal static class FitWriter
         if (fit.DepthError is { } depth)
         {
             WriteError(writer, "position.depth", depth);
+            WriteError(writer, "path.depth", fit.PathDepthError ?? double.PositiveInfinity);
         }
 
         writer.WriteEndObject();

@@ -1,0 +1,75 @@
+namespace FootballPhysics.Tracks;
+
+/// <summary>The starts of searches for a flight that is seen from one viewpoint.</summary>
+/// <remarks>
+/// Few of the minima are near the truth. A ball at a wrong depth with a strong spin may fit the beginning, and a path that bounces at other times has a minimum of
+/// its own. From one viewpoint, another curl may also fit as well, towards the camera and not away from it.
+/// </remarks>
+internal static class OneViewStarts
+{
+    /// <summary>The number of starts with other spins, and half the edge of a cube of spins, in rad/s.</summary>
+    private const int Tried = 8;
+    private const double Corner = 20;
+
+    /// <summary>The durations of the first points that are fitted one after the other, in s, and their minimum number.</summary>
+    private static readonly double[] s_spans = [0.4, 0.8, 1.6, double.PositiveInfinity];
+    private const int Fewest = 10;
+
+    /// <summary>The standard deviation of the height of the launch above the ground meanwhile, in m.</summary>
+    private const double Reach = 1;
+
+    /// <summary>Returns the starts, given the result of the first search.</summary>
+    public static IEnumerable<double[]?> Of(Sightings seen, TrackFitRequest launch, Scene scene, double[] values, FitWatch watch)
+    {
+        yield return Grown(seen, launch with { HeightDeviation = Reach }, scene, watch);
+        if (!launch.FromGround)
+        {
+            yield return Grown(seen, launch with { FromGround = true }, scene, watch);
+        }
+
+        var found = new Vector3d(values[6], values[7], values[8]);
+        List<Vector3d> spins = [.. TrackFit.OtherSpins(values, launch), found - (2 * found.Y * Vector3d.Up), -found];
+        for (int i = 0; i < 8; i++)
+        {
+            spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
+        }
+
+        foreach (double[]? start in spins.Select(spin => (Values: seen.Start(launch, in spin, scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(Tried).Select(start => start.Values))
+        {
+            yield return start;
+        }
+    }
+
+    /// <summary>Fits the first points, with the launch near the ground, and then more and more of them.</summary>
+    private static double[]? Grown(Sightings seen, TrackFitRequest launch, Scene scene, FitWatch watch)
+    {
+        var model = new TrackModel(scene, launch);
+        double[]? values = null;
+        int before = 0;
+        foreach (double span in s_spans)
+        {
+            int count = before;
+            while (count < seen.Count && (count < Fewest || seen.Time(count) - seen.Time(0) <= span))
+            {
+                count++;
+            }
+
+            if (count == before)
+            {
+                continue;
+            }
+
+            before = count;
+            Sightings first = seen.First(count);
+            values ??= first.Start(launch, launch.Spin, scene, out _);
+            if (values is null)
+            {
+                return null;
+            }
+
+            new TrackSearch(first, launch, model, watch).Descend(values);
+        }
+
+        return values;
+    }
+}
