@@ -360,7 +360,7 @@ internal static class ContactTolerances
     /// <remarks>Above: the ball is behind the edge. Below: more evaluations, for a position that an edge does not define.</remarks>
     public const double JumpWidth = 1e-8;
 
-    /// <summary>The gain of energy on stationary contacts above which a piece is taken again in parts, relative.</summary>
+    /// <summary>The gain of energy on stationary contacts above which a piece is taken again in parts, and the result of a part is scaled, relative.</summary>
     /// <remarks>Above: a ball that is clamped gains energy. Below: the error of the integrator is taken for a gain.</remarks>
     public const double PieceEnergy = 1e-7;
 

@@ -30,23 +30,30 @@ internal static class SolvedSet
             }
         }
 
-        if (Moves(set))
+        if (Drives(set))
         {
             return;
         }
 
-        // Each impulse J satisfies J·v ≤ 0 at the end, by Coulomb's law; together J = M (v − v_free). So |v|² ≤ v·v_free, with α r² as the square of the
-        // spin's unit. In a narrow wedge the impulses are huge, and their rounding errors break this: scale v and ω until it holds.
         double turning = ball.InertiaFactor * ball.Radius * ball.Radius;
         double square = v.LengthSquared + (turning * w.LengthSquared);
-        double shared = Vector3d.Dot(in v, free.Velocity) + (turning * Vector3d.Dot(in w, free.Spin));
-        if (square > shared + (ContactTolerances.PieceEnergy * square))
+        double share = ShareWithoutWork(square, Vector3d.Dot(in v, free.Velocity) + (turning * Vector3d.Dot(in w, free.Spin)));
+        if (share < 1)
         {
-            double share = Math.Max(0, shared / square);
             v = share * v;
             w = share * w;
         }
     }
+
+    /// <summary>Returns the share of velocities and spins at which stationary contacts do no work: 1 for an exact solution.</summary>
+    /// <remarks>
+    /// By Coulomb's law, each impulse J satisfies J·v ≤ 0 at the end; together, J = M (v − v_free). So v·M v ≤ v·M v_free. In a narrow wedge the impulses
+    /// are huge, and their rounding errors break this.
+    /// </remarks>
+    /// <param name="square">v·M v, over all balls and their spins.</param>
+    /// <param name="shared">v·M v_free, with the velocities and spins without contacts.</param>
+    public static double ShareWithoutWork(double square, double shared) =>
+        square > shared + (ContactTolerances.PieceEnergy * square) ? Math.Max(0, shared / square) : 1;
 
     /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones.</summary>
     /// <returns>False if the contacts still close: in a narrow wedge, projections need too many rounds.</returns>
@@ -111,7 +118,7 @@ internal static class SolvedSet
         // ½ |v|² + ½ α r² |ω|², less g·δ.
         double energy = 0.5 * (s.Velocity.LengthSquared + (ball.InertiaFactor * ball.Radius * ball.Radius * s.SpinAxis.LengthSquared));
         double lift = -Vector3d.Dot(weight, s.Position - from);
-        if (lift > ContactTolerances.PieceEnergy * energy && !Moves(set))
+        if (lift > ContactTolerances.PieceEnergy * energy && !Drives(set))
         {
             double share = Math.Sqrt(Math.Max(0, 1.0 - (lift / energy)));
             s.Velocity = share * s.Velocity;
@@ -119,7 +126,21 @@ internal static class SolvedSet
         }
     }
 
-    /// <summary>True if a contact surface is in motion.</summary>
+    /// <summary>True if a surface has a velocity, also one that turns in place: it may do work on the ball.</summary>
+    private static bool Drives(Span<Contact> set)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Velocity != Vector3d.Zero)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>True if an object moves, and its surface has a velocity.</summary>
     public static bool Moves(Span<Contact> set)
     {
         foreach (ref readonly Contact contact in set)

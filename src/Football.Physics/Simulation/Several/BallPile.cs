@@ -229,7 +229,7 @@ internal sealed partial class BallPile
 
         bool warm = Continue(_length > 0 ? h / _length : 0);
         _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull);
-
+        _solver.LimitWork(h);
         _solver.SetWays();
         _length = h;
         Until = parts > 1 ? Time + h : end;

@@ -33,6 +33,9 @@ internal sealed class PilePhase
         _nets = new NetGuard(_world);
     }
 
+    /// <summary>The surroundings of the ball.</summary>
+    public Surroundings Around => _around;
+
     /// <summary>The integrator of its whole steps.</summary>
     public IIntegrator Method { get; }
 

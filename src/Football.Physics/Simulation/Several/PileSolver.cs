@@ -120,6 +120,36 @@ internal sealed class PileSolver
         }
     }
 
+    /// <summary>Scales velocities and spins until stationary contacts do no work, as <see cref="SolvedSet"/> does for one ball.</summary>
+    /// <param name="h">Length of the part, s.</param>
+    public void LimitWork(double h)
+    {
+        for (int i = 0; i < ContactCount; i++)
+        {
+            if (Contacts[i].Velocity != Vector3d.Zero)
+            {
+                return;
+            }
+        }
+
+        // Σ (m |v|² + I |ω|²) and Σ (m v·v_free + I ω·ω_free), with v_free = v₀ + h a.
+        double square = 0;
+        double shared = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly PileMember ball = ref Members[i];
+            square += (ball.V.LengthSquared / ball.PerMass) + (ball.W.LengthSquared / ball.PerInertia);
+            shared += (Vector3d.Dot(in ball.V, ball.StartV + (h * ball.Free.Acceleration)) / ball.PerMass) + (Vector3d.Dot(in ball.W, ball.StartW + (h * ball.Free.SpinAcceleration)) / ball.PerInertia);
+        }
+
+        double share = SolvedSet.ShareWithoutWork(square, shared);
+        for (int i = 0; i < Count && share < 1; i++)
+        {
+            Members[i].V = share * Members[i].V;
+            Members[i].W = share * Members[i].W;
+        }
+    }
+
     /// <summary>Returns the greatest speed of any ball, including its spin, m/s.</summary>
     public double Fastest()
     {
@@ -364,68 +394,4 @@ internal struct PileMember
     public int Bearer;
     public Vector3d Rolling;
     public double Drilling;
-}
-
-/// <summary>A contact of a pile: of two of its balls, or of a ball with another object.</summary>
-internal struct PileContact
-{
-    /// <summary>The ball, as a member of the pile.</summary>
-    public int First;
-
-    /// <summary>The other ball; −1 if the contact is with another object.</summary>
-    public int Second;
-
-    /// <summary>Index of the collider; −1 for a ball.</summary>
-    public int Collider;
-
-    /// <summary>True if that collider moves.</summary>
-    public bool Moves;
-
-    /// <summary>True if no ball can rest on it: it moves in this step, or overlaps a ball.</summary>
-    public bool MovesNow;
-
-    /// <summary>True if friction holds the contact.</summary>
-    public bool Sticks;
-
-    /// <summary>n, towards the first ball.</summary>
-    public Vector3d Normal;
-
-    /// <summary>V of the collider, m/s.</summary>
-    public Vector3d Velocity;
-
-    /// <summary>Distance, m; 0 for an overlap.</summary>
-    public double Gap;
-
-    /// <summary>1/(1/m₁ + 1/m₂), and the same including r²/I of both, kg.</summary>
-    public double NormalMass;
-    public double SlipMass;
-
-    /// <summary>1/(1/I₁ + 1/I₂) of two balls, kg m².</summary>
-    public double TwistMass;
-
-    /// <summary>μ_s.</summary>
-    public double Friction;
-
-    /// <summary>c₀, c₁ and c_ω of the collider.</summary>
-    public double RollingFriction;
-    public double RollingFrictionBySpeed;
-    public double SpinDamping;
-
-    /// <summary>b, m.</summary>
-    public double DrillingLength;
-
-    /// <summary>J_n, N s.</summary>
-    public double Load;
-
-    /// <summary>J_t, N s.</summary>
-    public Vector3d Rub;
-
-    /// <summary>For two balls: the angular impulse about n, N m s.</summary>
-    public double Twist;
-
-    /// <summary>Changes of both in an iteration, N s, and the search direction.</summary>
-    public double LoadChange;
-    public Vector3d RubChange;
-    public double LoadStep;
-    public Vector3d RubStep;
 }

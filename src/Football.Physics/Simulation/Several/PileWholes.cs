@@ -37,7 +37,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     /// <param name="left">Length of the step, s.</param>
     /// <param name="least">Minimum length of a part, s.</param>
     /// <param name="logs">Receive the counts of each ball.</param>
-    /// <returns>False if no modes are found, they do not hold to the end, or a ball reaches another object.</returns>
+    /// <returns>False if no modes are found, they do not hold to the end, the balls gain energy, or a ball reaches another object.</returns>
     public bool Try(BallState[] states, double time, double left, double least, StepLog[] logs)
     {
         HasLooked = false;
@@ -55,7 +55,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         {
             double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - ContactTolerances.StepRounding));
             Length = left / parts;
-            holds = (parts <= 1 || Length >= least) && Advance(system, Length) && ClusterModes.Hold(system) && MeetsNothing(system, Length);
+            holds = (parts <= 1 || Length >= least) && Advance(system, Length) && ClusterModes.Hold(system) && !Overshoots(system, Length) && MeetsNothing(system, Length);
         }
 
         for (int i = 0; i < solver.Count; i++)
@@ -332,6 +332,36 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         ClusterProjection.Velocities(system, atEnd: true);
         return holds;
     }
+
+    /// <summary>True if the balls end with more energy than they had and their forces gave: the loads then changed faster than the integrator can follow.</summary>
+    private bool Overshoots(ClusterSystem system, double h)
+    {
+        double before = 0;
+        double after = 0;
+        double given = 0;
+        double others = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly ClusterBall ball = ref system.Balls[i];
+            Surroundings around = ball.Pile.Around;
+            before += EnergyOf(in ball, in ball.Start);
+            after += EnergyOf(in ball, in ball.End);
+            given += SetGuard.Given(around, ball.End.Position - ball.Start.Position, h, MethodOf().Order) / ball.PerMass;
+            others += SetGuard.MayGive(around) ? ((ball.Free.Acceleration - around.Weight).LengthSquared / ball.PerMass) + (ball.Free.SpinAcceleration.LengthSquared / ball.PerInertia) : 0;
+        }
+
+        // The forces at the last stage stand for those of the step: allow twice their impulse.
+        double change = 2.0 * h * Math.Sqrt(others);
+        for (int k = 0; k < system.ContactCount; k++)
+        {
+            change += SetGuard.MostBySurface * system.Contacts[k].On.Surface.Length / Math.Sqrt(system.Balls[system.Contacts[k].First].PerMass);
+        }
+
+        return SetGuard.Overshoots(before, after, given, change);
+    }
+
+    /// <summary>½ m |v|² + ½ I |ω|², J.</summary>
+    private static double EnergyOf(in ClusterBall ball, in BallState s) => 0.5 * ((s.Velocity.LengthSquared / ball.PerMass) + (s.Spin.LengthSquared / ball.PerInertia));
 
     /// <summary>True if the balls stay on the same surfaces, and reach no other object on their paths.</summary>
     private bool MeetsNothing(ClusterSystem system, double h)
