@@ -117,7 +117,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        Integrate<TMotion>(in on, in material, in start, ref first, dt, out PlaneStep step);
+        Integrate<TMotion>(in on, in material, in start, ref first, dt, out PlaneMotionStep step);
         if (MayEnd<TMotion>(in on, in material, in start, in first, in step, dt))
         {
             return false;
@@ -215,7 +215,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Evaluates the integrator's stages; each starts from the initial state, with the rates of the previous stage.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Integrate<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, ref PlaneRates first, double dt, out PlaneStep step)
+    private void Integrate<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, ref PlaneRates first, double dt, out PlaneMotionStep step)
         where TMotion : struct, ISurfaceMotion
     {
         bool rolls = default(TMotion).Rolls;
@@ -287,7 +287,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>True if the slip, roll, load, grip or spin about the normal may end, or the drag law may jump.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool MayEnd<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, in PlaneRates first, in PlaneStep step, double dt)
+    private bool MayEnd<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, in PlaneRates first, in PlaneMotionStep step, double dt)
         where TMotion : struct, ISurfaceMotion
     {
         // Extrapolate the load at the end from the stages.

@@ -79,7 +79,7 @@ internal sealed class ImpactResult
     }
 
     /// <summary>Pushes the object, and reports the impact.</summary>
-    public void Tell(ref BallState s, Collider hit, int thing, in ImpactOutcome end, ref StepRun run)
+    public void Report(ref BallState s, Collider hit, int thing, in ImpactOutcome end, ref StepRun run)
     {
         // Apply the opposite impulse, m (v − v'), to an object with a mass.
         if (hit.GivesWay && run.Log.Pushes)

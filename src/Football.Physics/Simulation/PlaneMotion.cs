@@ -121,7 +121,7 @@ internal struct PlaneRates
 }
 
 /// <summary>A step to its end: the motion there, the means of the motion, and the last stage of the integrator.</summary>
-internal struct PlaneStep
+internal struct PlaneMotionStep
 {
     /// <summary>The motion at the end.</summary>
     public PlaneMotion End;

@@ -49,7 +49,7 @@ internal sealed partial class WorldContact
 
         // The separation speed determines the motion state.
         ImpactOutcome end = _result.Of(ref s, hit, ref run);
-        _result.Tell(ref s, hit, collider + _world.FirstCollider, in end, ref run);
+        _result.Report(ref s, hit, collider + _world.FirstCollider, in end, ref run);
 
         // The velocity has jumped, so choose the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
