@@ -37,8 +37,8 @@ internal abstract class AirLaws
     {
         ForceSet forces = scene.Forces;
 
-        // Tables contain absent forces and, for the measured laws, constant coefficients. Evaluate other laws one by one.
-        return !HasTables(forces) ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
+        // Tables contain absent forces and constant coefficients. Evaluate laws without any table one by one.
+        return !HasFits(forces) ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
             AerodynamicModel.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
             AerodynamicModel.Regularized => new TableLaws<RegularisedLaw>(scene, drag, lift),
@@ -47,17 +47,9 @@ internal abstract class AirLaws
         };
     }
 
-    /// <summary>True if at least one force of a scene is fitted to measurements.</summary>
+    /// <summary>True if at least one force of a scene is fitted to measurements, so that tables contain its laws.</summary>
     public static bool HasFits(ForceSet forces) =>
         forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
-
-    /// <summary>True if tables contain the laws of a scene.</summary>
-    /// <remarks>At least one force must be fitted. Only the tables of the measured laws contain constant coefficients.</remarks>
-    public static bool HasTables(ForceSet forces)
-    {
-        bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
-        return HasFits(forces) && (forces.Coefficients == AerodynamicModel.Measured || !hasConstants);
-    }
 
     /// <inheritdoc cref="IFlightLaws.Factors"/>
     public abstract void Factors(

@@ -29,7 +29,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _ofLift = lift;
 
         // Lift depends on the same C_D as drag, and jumps together with it.
-        Jumps = law.Jumps && (Drags || Lifts);
+        Jumps = law.Jumps && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
         Bound = BoundUpTo(2.0 * Limits.Speed);
         OrdinaryBound = BoundUpTo(OrdinarySpeed);
 

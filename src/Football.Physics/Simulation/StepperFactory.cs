@@ -33,11 +33,11 @@ internal static class StepperFactory
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
-        // Tables cover every mixture of the measured laws and, for the other laws, absent forces. Evaluate all other mixtures law by law.
+        // Tables cover every mixture with a fitted law.
         bool isMeasured = scene.Forces.Coefficients == AerodynamicModel.Measured;
-        if (!AirLaws.HasTables(scene.Forces))
+        if (!AirLaws.HasFits(scene.Forces))
         {
-            return scene.HasOwnForces || air.Varies || AirLaws.HasFits(scene.Forces) ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
+            return scene.HasOwnForces || air.Varies ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
                 : air.Acts ? Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene))
                 : Of<NoAir, TIntegrator>(scene, settings, in air, default);
         }
