@@ -2,7 +2,7 @@
 Hold the mouse button for power, and let go to kick. R puts the ball back. Needs the wheel of football_physics and Debian's python3-pygame.
 
     python3 samples/Pygame/free_kick.py                        play
-    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash a6a31a3caf0b8231
+    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash 413ea67789e2e52a
 """
 
 import os

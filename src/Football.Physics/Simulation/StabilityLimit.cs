@@ -23,7 +23,14 @@ internal readonly struct StabilityLimit
     /// <summary>Its square, m²/s².</summary>
     private const double StillAir = SlowestAir * SlowestAir;
 
+    /// <summary>Up to this airspeed, with a usual weight, no step that the limit allows exceeds <see cref="AirLaws.OrdinarySpeed"/>, m/s.</summary>
+    private const double UsualSpeed = 0.5 * AirLaws.OrdinarySpeed;
+
+    /// <summary>Up to this acceleration, a ball falls no faster than <see cref="UsualSpeed"/> through air in which the bound matters, m/s².</summary>
+    private const double UsualWeight = 50;
+
     private readonly RateBound _bound;
+    private readonly RateBound _usual; // the same up to UsualSpeed, for a coefficient that grows with speed
     private readonly double _upward;
 
     /// <summary>Up to this length, the fastest form of the laws never needs a division of the step, s.</summary>
@@ -38,10 +45,11 @@ internal readonly struct StabilityLimit
     /// <summary>Order of the integrator.</summary>
     private readonly int _order;
 
-    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals, int order)
+    private StabilityLimit(in RateBound bound, in RateBound usual, double upward, double wholeUpTo, double piecesOfHop, bool spirals, int order)
     {
         _order = order;
         _bound = bound;
+        _usual = usual;
         _upward = upward;
         _wholeUpTo = wholeUpTo;
         _piecesOfHop = piecesOfHop;
@@ -67,7 +75,8 @@ internal readonly struct StabilityLimit
 
         // Without drag, a low-order integrator increases the ball's speed whenever the velocity turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        return new StabilityLimit(in bound, upward, wholeUpTo, pieces, spirals, order);
+        RateBound usual = Math.Abs(upward) <= UsualWeight ? WithFall(air.OrdinaryBound, upward) : bound;
+        return new StabilityLimit(in bound, in usual, upward, wholeUpTo, pieces, spirals, order);
     }
 
     /// <summary>Returns the minimum number of pieces of a hop, 3e/(1 − e), for an integrator that increases the ball's speed in hops.</summary>
@@ -97,15 +106,19 @@ internal readonly struct StabilityLimit
         }
 
         // Allow half of the change for each of the two parts of P |u| + Q |ω| + C. This avoids a square root.
-        double bySpeed = h * _bound.PerSpeed;
-        double bySpin = h * ((_bound.PerSpin * spinRate) + _bound.Constant);
+        RateBound bound = BoundAt(speedSquared);
+        double bySpeed = h * bound.PerSpeed;
+        double bySpin = h * ((bound.PerSpin * spinRate) + bound.Constant);
         return !(bySpeed * bySpeed * Math.Max(speedSquared, StillAir) > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
     }
 
     /// <summary>Upper bound of the rate at which any force changes the motion, 1/s.</summary>
     /// <param name="speed">|u|, or an upper bound of it, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
-    public double RateAtMost(double speed, double spinRate) => _bound.At(speed, spinRate);
+    public double RateAtMost(double speed, double spinRate) => BoundAt(speed * speed).At(speed, spinRate);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private RateBound BoundAt(double speedSquared) => speedSquared <= UsualSpeed * UsualSpeed ? _usual : _bound;
 
     /// <summary>Returns the longest of equal parts of a step in which no force overshoots, s.</summary>
     /// <param name="air">The air.</param>

@@ -6,8 +6,11 @@ internal sealed class LawTables
     /// <summary>log₂ S² at which the fine segments begin: S = 0.004.</summary>
     private const int Usual = -16;
 
-    /// <summary>The exponent of the square of the largest spin parameter, 2.8.</summary>
-    private const int Largest = 3;
+    /// <summary>The exponent of S² at which the fine segments end: S = 2.8.</summary>
+    private const int Rare = 3;
+
+    /// <summary>The exponent of the square of the largest spin parameter, 32.</summary>
+    private const int Largest = 10;
 
     /// <summary>The exponent of S² below which there is no spin: S = 2.3e-10.</summary>
     private const int None = -64;
@@ -16,6 +19,7 @@ internal sealed class LawTables
     private const int Least = -81;
 
     /// <summary>Tabulates the functions of a law.</summary>
+    /// <remarks>At S = 2, one plate of the empirical spin decay has zero speed. A segment ends there, because its square is a power of two.</remarks>
     /// <param name="law">The law; its constants from a scene are not used.</param>
     /// <param name="speeds">The range of the squared scaled speed.</param>
     /// <param name="crisis">The part of this range with finer segments.</param>
@@ -27,11 +31,11 @@ internal sealed class LawTables
             ? new FactorTable(
                 (double x, out LawFactors values) => law.OfSpin(x < none ? 0 : Math.Sqrt(x), out values),
                 new Octaves(Least, Largest, 4),
-                new Octaves(Usual, Largest, 6))
+                new Octaves(Usual, Rare, 6))
             : new FactorTable(
                 (double x, out LawFactors values) => law.OfSpin(x * none > 1 ? 0 : 1.0 / Math.Sqrt(x), out values),
                 new Octaves(-Largest, -Least, 4),
-                new Octaves(-Largest, -Usual, 6));
+                new Octaves(-Rare, -Usual, 6));
         Slowest = Math.Sqrt(speeds.Lowest);
         Fastest = Math.Sqrt(speeds.Start(speeds.Segments));
     }

@@ -46,7 +46,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _law.Jumps; }
 
     /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>
-    private double FastestSpin => TableRange.LargestSpinParameter * TableRange.Fastest / _radius;
+    private double FastestSpin => TableRange.FastestSurface / _radius;
 
     public TableAir(Scene scene)
     {
@@ -176,18 +176,23 @@ internal readonly struct TableRange
     /// <summary>The highest speed at which the tables hold, with a margin, in m/s.</summary>
     public const double Fastest = 120;
 
-    /// <summary>The largest spin parameter at the start of a step of a smooth law.</summary>
-    /// <remarks>At 2, one plate of the empirical spin decay has zero speed.</remarks>
-    public const double LargestSpinParameter = 1.9;
+    /// <summary>The highest r|ω| at which the tables are used, in m/s.</summary>
+    public const double FastestSurface = 228;
 
-    /// <summary>The share of the velocity that drag, and lift, may each change within a step.</summary>
-    private const double LargestChange = 0.125;
+    /// <summary>The largest spin parameter at the start of a step.</summary>
+    public const double LargestSpinParameter = 20;
+
+    /// <summary>The share of the velocity that drag and lift together may change within a step.</summary>
+    private const double LargestChange = 0.25;
 
     /// <summary>The change of speed by gravity in a short step, in m/s.</summary>
     private const double ShortFall = 0.5;
 
-    /// <summary>Drag leaves at least 7/8 of a speed; gravity may reduce the rest to the lowest speed.</summary>
-    private const double Slower = 1.0 / (1.0 - LargestChange);
+    /// <summary>Drag and lift leave at least 0.74 of a speed in any stage; gravity may reduce the rest to the lowest speed.</summary>
+    private const double Slower = 1.0 / 0.74;
+
+    /// <summary>The same for a short step, whose margin above the lowest speed is larger.</summary>
+    private const double SlowerInShort = 8.0 / 7.0;
 
     private readonly double _slowest;  // m/s
     private readonly double _fastest;
@@ -214,10 +219,10 @@ internal readonly struct TableRange
         _perSpin = forces.PerSpin;
 
         // So short a step changes little at any speed and spin: two bounds on |u|² are sufficient.
-        _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
+        _short = Math.Min(0.5 * LargestChange / (_perSpeed * fastest), 0.5 * LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
-        _leastSquare = Slower * (slowest + fall) * Slower * (slowest + fall);
+        _leastSquare = SlowerInShort * (slowest + fall) * SlowerInShort * (slowest + fall);
         _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
@@ -235,19 +240,20 @@ internal readonly struct TableRange
         double least = Slower * (_slowest + fall);
         double most = _fastest - fall;
         double bySpeed = h * _perSpeed;
-        return speedSquared > least * least && most > 0 && speedSquared < most * most
-            && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
+        double left = LargestChange - (h * _perSpin * spinRate);
+        return speedSquared > least * least && most > 0 && speedSquared < most * most && left > 0 && bySpeed * bySpeed * speedSquared < left * left;
     }
 
-    /// <summary>Returns true if the spin parameter starts below <see cref="LargestSpinParameter"/> and stays below √8 at every stage.</summary>
+    /// <summary>Returns true if the spin parameter starts below <see cref="LargestSpinParameter"/> and stays below 32 at every stage.</summary>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="surfaceSquared">(r|ω|)².</param>
     /// <param name="h">The length of the step, in s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
     {
-        // (7/8 |u| − h g)² ≥ 7/8 (7/8 |u|)² − 7 (h g)²
+        // (0.74 |u| − h g)² ≥ 0.41 |u|² − 3 (h g)², and 400/0.41 and 3072/3 are at most 32².
+        const double Largest = LargestSpinParameter * LargestSpinParameter;
         double fall = h * _gravity;
-        return surfaceSquared + (56.0 * fall * fall) < LargestSpinParameter * LargestSpinParameter * speedSquared;
+        return surfaceSquared + (3072.0 * fall * fall) < Largest * speedSquared && surfaceSquared < FastestSurface * FastestSurface;
     }
 }
