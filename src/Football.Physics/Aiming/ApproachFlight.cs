@@ -124,6 +124,9 @@ internal sealed class MeasuredFlight : ApproachFlight
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
+    /// <summary>The length of a step of rolling, in s. The cubic through its ends is then within 1e-6 m of the path.</summary>
+    private const double RollStep = 0.1;
+
     private readonly StepLog _log = new() { IgnoresZones = true };
     private Vector3d? _through;
     private double _throughSquared;
@@ -190,9 +193,10 @@ internal sealed class MeasuredFlight : ApproachFlight
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // On the ground, friction curves the path within a step, so inspect every step.
+        // On the ground, friction curves the path within a step, so inspect every step. A roll changes slowly.
         watches = HasMetAll && state.Motion != MotionState.Airborne;
-        return Math.Min(TimeStep, Last - state.Time);
+        double step = state.Motion == MotionState.Rolling ? Math.Max(TimeStep, RollStep) : TimeStep;
+        return Math.Min(step, Last - state.Time);
     }
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)

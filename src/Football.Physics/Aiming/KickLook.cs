@@ -5,9 +5,12 @@ namespace FootballPhysics.Aiming;
 /// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>
 internal class KickLook : ApproachFlight
 {
-    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; a longer step would be split and save nothing.</summary>
+    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; a longer step of sliding would be split and save nothing.</summary>
     private const double GroundShare = 0.2;
-    private const double LongestRoll = 0.08;
+    private const double LongestOnGround = 0.08;
+
+    /// <summary>The difference in height, in m, beyond which a roll cannot hit the target: it then needs no short steps.</summary>
+    private const double OutOfReach = 0.05;
 
     /// <param name="simulator">The scene.</param>
     public KickLook(Simulator simulator)
@@ -41,7 +44,8 @@ internal class KickLook : ApproachFlight
     public override double StepFrom(in BallState state, out bool watches)
     {
         watches = false;
-        double step = state.Motion == MotionState.Airborne ? TimeStep : Math.Min(GroundShare * TimeStep, LongestRoll);
+        bool isLong = state.Motion == MotionState.Airborne || (state.Motion == MotionState.Rolling && Math.Abs(state.Position.Y - Target.Y) > OutOfReach);
+        double step = isLong ? TimeStep : Math.Min(GroundShare * TimeStep, LongestOnGround);
         return Math.Min(step, Last - state.Time);
     }
 
@@ -49,13 +53,15 @@ internal class KickLook : ApproachFlight
     {
         // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before the impact.
         Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
-        if (!Passes(in before, in after, in velocity))
+        bool stops = after.Motion == MotionState.Rest;
+        if (!stops && !Passes(in before, in after, in velocity))
         {
             TakeEnd(in after, in velocity);
             return false;
         }
 
-        if (ended || log.Steps != 1)
+        // A ball that stops may have passed the target before, and its velocity does not show it.
+        if (stops || ended || log.Steps != 1)
         {
             return true;
         }
