@@ -3,26 +3,16 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Contacts;
 
 /// <summary>Finds the first contact along a path: the gaps of nearby objects, each by <see cref="TimeOfImpact"/>.</summary>
-internal readonly struct ContactSearch
+/// <param name="world">The world.</param>
+/// <param name="path">The path.</param>
+/// <param name="time">Start time, s.</param>
+internal readonly struct ContactSearch(World world, in PathCubic path, double time)
 {
-    private readonly World _world;
-    private readonly PathCubic _path;
-    private readonly Bounds3d _bounds;
-    private readonly double _time;
-    private readonly double _bend;
-
-    /// <summary>Prepares a search along a path.</summary>
-    /// <param name="world">The world.</param>
-    /// <param name="path">The path.</param>
-    /// <param name="time">Start time, s.</param>
-    public ContactSearch(World world, in PathCubic path, double time)
-    {
-        _world = world;
-        _path = path;
-        _bounds = world.IsBare ? default : path.Bounds;
-        _time = time;
-        _bend = path.GreatestAcceleration;
-    }
+    private readonly World _world = world;
+    private readonly PathCubic _path = path;
+    private readonly Bounds3d _bounds = world.IsBare ? default : path.Bounds;
+    private readonly double _time = time;
+    private readonly double _bend = path.GreatestAcceleration;
 
     /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>
@@ -136,8 +126,8 @@ internal readonly struct ContactSearch
             }
             else if ((near.Nets >> net & 1) != 0)
             {
-                var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend, SpanTo(best));
-                double at = TimeOfImpact.First(ref sheet);
+                var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend);
+                double at = TimeOfImpact.First(ref sheet, SpanTo(best));
                 first = at < best ? sheet.Last : first;
                 best = Math.Min(at, best);
             }
@@ -154,7 +144,7 @@ internal readonly struct ContactSearch
             else if (((near.Goals & ~s.GoalsPassed) >> goal & 1) != 0)
             {
                 Separation entry = Separation.OfGoal(_world, SeparationKind.MouthEntered, goal);
-                var mouth = new MouthGap(in entry, in _world.Goals[goal], in _path, _time, _bend, SpanTo(best));
+                var mouth = new MouthGap(in entry, in _world.Goals[goal], in _path, _time, _bend);
                 Keep(ref mouth, in entry, ref best, ref first);
             }
         }
@@ -162,26 +152,26 @@ internal readonly struct ContactSearch
         return best;
     }
 
-    private SearchSpan SpanTo(double best) => new(in _path, Math.Min(best, _path.Length));
+    private SearchSpan SpanTo(double best) => new(_path.Length, Math.Min(best, _path.Length));
 
     /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first)
     {
-        var gap = new FallingGap(in net, in _path, _time, _bend, SpanTo(best));
+        var gap = new FallingGap(in net, in _path, _time, _bend);
         Keep(ref gap, in net, ref best, ref first);
     }
 
     /// <summary>Keeps an event at a plane of a goal if it is the earliest so far.</summary>
     private void Cross(in Separation plane, ref double best, ref Separation first)
     {
-        var gap = new GoalPlaneGap(in plane, in _path, _time, _bend, SpanTo(best));
+        var gap = new GoalPlaneGap(in plane, in _path, _time, _bend);
         Keep(ref gap, in plane, ref best, ref first);
     }
 
-    private static void Keep<TGap>(ref TGap gap, in Separation happening, ref double best, ref Separation first)
+    private void Keep<TGap>(ref TGap gap, in Separation happening, ref double best, ref Separation first)
         where TGap : struct, IGap
     {
-        double at = TimeOfImpact.First(ref gap);
+        double at = TimeOfImpact.First(ref gap, SpanTo(best));
         first = at < best ? happening : first;
         best = Math.Min(at, best);
     }
@@ -193,17 +183,17 @@ internal readonly struct ContactSearch
         seam = false;
         Collider collider = _world.Colliders[thing];
         double r = _world.Ball.Radius;
-        var span = new SearchSpan(in _path, until);
+        var span = new SearchSpan(_path.Length, until);
         if (collider.StandingPlane is { } plane)
         {
-            var distance = new PlaneGap(_path.DistanceTo(plane.Normal, plane.DistanceTo(_path.Start) - r), in span);
-            return TimeOfImpact.First(ref distance);
+            var distance = new PlaneGap(_path.DistanceTo(plane.Normal, plane.DistanceTo(_path.Start) - r));
+            return TimeOfImpact.First(ref distance, in span);
         }
 
         if (collider.Rotates)
         {
-            var rotating = new RotatingGap(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, in span);
-            return TimeOfImpact.First(ref rotating);
+            var rotating = new RotatingGap(collider.From(_time), collider.HollowCurvature, in _path, _bend, r);
+            return TimeOfImpact.First(ref rotating, in span);
         }
 
         // Transform the path to the frame of a moving collider, in which the collider is stationary.
@@ -221,8 +211,8 @@ internal readonly struct ContactSearch
         }
 
         var gap = new ShapeGap(collider, in path, _bend, r, in span);
-        double t = 0;
-        while (TimeOfImpact.Finds(ref gap, ref t))
+        double t = TimeOfImpact.First(ref gap, in span);
+        while (t <= until)
         {
             // A flush seam causes no contact: advance until the ball is above the face and the normals agree.
             double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
@@ -243,6 +233,8 @@ internal readonly struct ContactSearch
             {
                 return t;
             }
+
+            t = TimeOfImpact.First(ref gap, in span, t);
         }
 
         return double.PositiveInfinity;

@@ -8,12 +8,10 @@ namespace FootballPhysics.Contacts;
 /// <param name="path">The path.</param>
 /// <param name="time">Start time of the path, s.</param>
 /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
-/// <param name="span">The span of the search.</param>
-internal readonly struct FallingGap(in Separation sought, in PathCubic path, double time, double acceleration, in SearchSpan span) : IGap
+internal readonly struct FallingGap(in Separation sought, in PathCubic path, double time, double acceleration) : IGap
 {
     private readonly Separation _sought = sought;
     private readonly PathCubic _path = path;
-    private readonly SearchSpan _span = span;
     private readonly double _bend = sought.Bends * acceleration;
     private readonly double _time = time;
 
@@ -39,8 +37,6 @@ internal readonly struct FallingGap(in Separation sought, in PathCubic path, dou
         step = TimeOfImpact.Step(gap, rate, _bend);
         return false;
     }
-
-    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
 }
 
 /// <summary>The gap to a net: closed within the ball's radius of the sheet, inside the rectangle.</summary>
@@ -48,7 +44,6 @@ internal struct NetGap : IGap
 {
     private readonly World _world;
     private readonly PathCubic _path;
-    private readonly SearchSpan _span;
     private readonly double _acceleration;
     private readonly int _index;
     private readonly int _deepest;
@@ -62,12 +57,10 @@ internal struct NetGap : IGap
     /// <param name="deepestSide">σ of that net.</param>
     /// <param name="path">The path.</param>
     /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
-    /// <param name="span">The span of the search.</param>
-    public NetGap(World world, int index, int deepest, double deepestSide, in PathCubic path, double acceleration, in SearchSpan span)
+    public NetGap(World world, int index, int deepest, double deepestSide, in PathCubic path, double acceleration)
     {
         _world = world;
         _path = path;
-        _span = span;
         _acceleration = acceleration;
         _index = index;
         _deepest = deepest;
@@ -94,8 +87,6 @@ internal struct NetGap : IGap
         return step == 0;
     }
 
-    public readonly bool Advance(ref double t, double step) => _span.Advance(ref t, step);
-
     /// <summary>Computes for how long one condition of a net remains unmet. The longest such time is safe for all conditions.</summary>
     private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step)
     {
@@ -120,35 +111,21 @@ internal struct NetGap : IGap
 }
 
 /// <summary>The gap to the mouth of a goal, which the ball may enter only from the front.</summary>
-internal struct MouthGap : IGap
+/// <param name="mouth">The mouth.</param>
+/// <param name="goal">Its goal.</param>
+/// <param name="path">The path.</param>
+/// <param name="time">Start time of the path, s.</param>
+/// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+internal struct MouthGap(in Separation mouth, in GoalMouth goal, in PathCubic path, double time, double acceleration) : IGap
 {
-    private readonly Separation _mouth;
-    private readonly GoalMouth _goal;
-    private readonly PathCubic _path;
-    private readonly SearchSpan _span;
-    private readonly double _time;
-    private readonly double _bend;
-    private bool _isBefore;
+    private readonly Separation _mouth = mouth;
+    private readonly GoalMouth _goal = goal;
+    private readonly PathCubic _path = path;
+    private readonly double _time = time;
+    private readonly double _bend = acceleration;
 
-    /// <summary>Prepares the gap.</summary>
-    /// <param name="mouth">The mouth.</param>
-    /// <param name="goal">Its goal.</param>
-    /// <param name="path">The path.</param>
-    /// <param name="time">Start time of the path, s.</param>
-    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
-    /// <param name="span">The span of the search.</param>
-    public MouthGap(in Separation mouth, in GoalMouth goal, in PathCubic path, double time, double acceleration, in SearchSpan span)
-    {
-        _mouth = mouth;
-        _goal = goal;
-        _path = path;
-        _span = span;
-        _time = time;
-        _bend = acceleration;
-
-        // At the start of the path, the ball may be slightly behind the mouth, because the last piece projected it onto its carrier.
-        _isBefore = goal.BeforeMouth(path.At(0)) >= -ContactTolerances.Projected;
-    }
+    /// <summary>At the start of the path, the ball may be slightly behind the mouth, because the last piece projected it onto its carrier.</summary>
+    private bool _isBefore = goal.BeforeMouth(path.Start) >= -ContactTolerances.Projected;
 
     public bool IsClosed(double t, out double step)
     {
@@ -166,8 +143,6 @@ internal struct MouthGap : IGap
             : TimeOfImpact.Step(gap, gap > ContactTolerances.Touching ? rate : Math.Abs(rate), _bend);
         return false;
     }
-
-    public readonly bool Advance(ref double t, double step) => _span.AdvanceFreely(ref t, step);
 }
 
 /// <summary>The gap to a plane of a goal for a ball in its mouth. A plane that the ball has already passed counts at once.</summary>
@@ -175,12 +150,10 @@ internal struct MouthGap : IGap
 /// <param name="path">The path.</param>
 /// <param name="time">Start time of the path, s.</param>
 /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
-/// <param name="span">The span of the search.</param>
-internal readonly struct GoalPlaneGap(in Separation plane, in PathCubic path, double time, double acceleration, in SearchSpan span) : IGap
+internal readonly struct GoalPlaneGap(in Separation plane, in PathCubic path, double time, double acceleration) : IGap
 {
     private readonly Separation _plane = plane;
     private readonly PathCubic _path = path;
-    private readonly SearchSpan _span = span;
     private readonly double _time = time;
     private readonly double _bend = acceleration;
 
@@ -193,6 +166,4 @@ internal readonly struct GoalPlaneGap(in Separation plane, in PathCubic path, do
         step = passes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
         return passes;
     }
-
-    public bool Advance(ref double t, double step) => _span.AdvanceFreely(ref t, step);
 }

@@ -5,11 +5,9 @@ namespace FootballPhysics.Contacts;
 
 /// <summary>The gap between a ball on a path and a stationary plane.</summary>
 /// <param name="distance">Distance of the ball's surface from the plane along the path.</param>
-/// <param name="span">The span of the search.</param>
-internal readonly struct PlaneGap(in PathDistance distance, in SearchSpan span) : IGap
+internal readonly struct PlaneGap(in PathDistance distance) : IGap
 {
     private readonly PathDistance _distance = distance;
-    private readonly SearchSpan _span = span;
     private readonly double _bend = distance.GreatestFall;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -20,9 +18,6 @@ internal readonly struct PlaneGap(in PathDistance distance, in SearchSpan span) 
         step = closes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
         return closes;
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
 }
 
 /// <summary>The gap between a ball on a path and a collider that does not rotate, in the frame of the collider.</summary>
@@ -82,8 +77,8 @@ internal struct ShapeGap : IGap
         if ((t == 0 || Crosses) && hollow == 0)
         {
             // A convex shape lies behind the tangent plane at its nearest point: if the path never reaches that plane, there is no contact.
-            var plane = new PlaneGap(_path.DistanceTo(at.Normal, gap - _path.ClimbAlong(at.Normal, t)), in _span);
-            if (!(TimeOfImpact.First(ref plane, t) <= _span.Until))
+            var plane = new PlaneGap(_path.DistanceTo(at.Normal, gap - _path.ClimbAlong(at.Normal, t)));
+            if (!(TimeOfImpact.First(ref plane, in _span, t) <= _span.Until))
             {
                 return false;
             }
@@ -100,8 +95,6 @@ internal struct ShapeGap : IGap
 
         return false;
     }
-
-    public readonly bool Advance(ref double t, double step) => _span.Advance(ref t, step);
 }
 
 /// <summary>The gap between a ball on a path and a rotating shape.</summary>
@@ -115,7 +108,6 @@ internal readonly struct RotatingGap : IGap
 
     private readonly MovingShape _shape;
     private readonly PathCubic _path;
-    private readonly SearchSpan _span;
     private readonly double _hollow;
     private readonly double _radius;
     private readonly double _closing;
@@ -128,12 +120,10 @@ internal readonly struct RotatingGap : IGap
     /// <param name="path">The path.</param>
     /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
     /// <param name="radius">Radius of the ball, m.</param>
-    /// <param name="span">The span of the search.</param>
-    public RotatingGap(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, in SearchSpan span)
+    public RotatingGap(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius)
     {
         _shape = shape;
         _path = path;
-        _span = span;
         _hollow = hollow;
         _radius = radius;
 
@@ -170,6 +160,4 @@ internal readonly struct RotatingGap : IGap
         step = Math.Max(byBend, Math.Max(gap, 0) / _closing);
         return false;
     }
-
-    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
 }

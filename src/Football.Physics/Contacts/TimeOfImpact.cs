@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 
@@ -11,10 +10,6 @@ internal interface IGap
     /// <param name="step">If the event is not now: the time for which the gap surely stays open, s; infinite if it never closes.</param>
     /// <returns>True if the event is now.</returns>
     bool IsClosed(double t, out double step);
-
-    /// <summary>Advances the time by a step.</summary>
-    /// <returns>False beyond the end of the search.</returns>
-    bool Advance(ref double t, double step);
 }
 
 /// <summary>Finds the first time at which a gap closes, by conservative advancement.</summary>
@@ -29,32 +24,22 @@ internal static class TimeOfImpact
 
     /// <summary>Returns the time of the event; infinite if there is none.</summary>
     /// <param name="gap">The gap.</param>
+    /// <param name="span">The span of the search.</param>
     /// <param name="from">Start of the search, s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double First<TGap>(ref TGap gap, double from = 0)
+    public static double First<TGap>(ref TGap gap, in SearchSpan span, double from = 0)
         where TGap : struct, IGap
     {
         double t = from;
-        return Finds(ref gap, ref t) ? t : double.PositiveInfinity;
-    }
-
-    /// <summary>Advances the time to the event.</summary>
-    /// <param name="gap">The gap.</param>
-    /// <param name="t">The start of the search, s; on return, the time of the event, or a time beyond the end.</param>
-    /// <returns>False if there is no event.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Finds<TGap>(ref TGap gap, ref double t)
-        where TGap : struct, IGap
-    {
         while (!gap.IsClosed(t, out double step))
         {
-            if (!gap.Advance(ref t, step))
+            if (!span.Advance(ref t, step))
             {
-                return false;
+                return double.PositiveInfinity;
             }
         }
 
-        return true;
+        return t;
     }
 
     /// <summary>True if the gap is closed and shrinks: the usual event.</summary>
@@ -80,19 +65,15 @@ internal static class TimeOfImpact
 }
 
 /// <summary>The span of a search along a path.</summary>
-internal readonly struct SearchSpan
+/// <param name="length">Length of the path, s.</param>
+/// <param name="until">End of the search, s from the start of the path.</param>
+internal readonly struct SearchSpan(double length, double until)
 {
     /// <summary>End of the search, s from the start of the path.</summary>
-    public readonly double Until;
+    public readonly double Until = until;
 
     /// <summary>Minimum step, s, so that every search ends.</summary>
-    public readonly double Shortest;
-
-    public SearchSpan(in PathCubic path, double until)
-    {
-        Until = until;
-        Shortest = Math.Max(ContactTolerances.ShortestShare * path.Length, ContactTolerances.ShortestStep);
-    }
+    public readonly double Shortest = Math.Max(ContactTolerances.ShortestShare * length, ContactTolerances.ShortestStep);
 
     /// <summary>Advances along the path. A step that was lengthened to the minimum stops at the end of the path.</summary>
     /// <returns>False beyond the end.</returns>
@@ -105,13 +86,5 @@ internal readonly struct SearchSpan
         next = next > Until && t + step <= Until && t < Until ? Until : next;
         t = next;
         return next <= Until;
-    }
-
-    /// <summary>Advances along the path. A lengthened step may pass the end: the next piece finds an event there.</summary>
-    /// <returns>False beyond the end.</returns>
-    public bool AdvanceFreely(ref double t, double step)
-    {
-        t += Math.Max(step, Shortest);
-        return t <= Until;
     }
 }

@@ -172,11 +172,17 @@ internal sealed class BallTrial : PieceObserver
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
-            var gap = new BallGap(in mine, start, in its, otherStart, distance, last, atEnd && last == until);
-            if (TimeOfImpact.Finds(ref gap, ref time))
+            var gap = new BallGap(in mine, start, in its, otherStart, distance);
+            do
             {
-                return time;
+                if (gap.IsClosed(time, out double step))
+                {
+                    return time;
+                }
+
+                time += Math.Max(step, ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * time));
             }
+            while (time < last || (atEnd && last == until && time == last));
 
             time = Math.Max(last, Math.Min(time, Math.Min(end, otherEnd)));
         }
@@ -191,17 +197,13 @@ internal sealed class BallTrial : PieceObserver
 /// <param name="two">The path of the other ball.</param>
 /// <param name="twoStart">Its start time, s.</param>
 /// <param name="distance">Distance of the centres at contact, m.</param>
-/// <param name="last">End of the search, s.</param>
-/// <param name="includesLast">Whether to include a contact exactly at that time.</param>
-internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic two, double twoStart, double distance, double last, bool includesLast) : IGap
+internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic two, double twoStart, double distance)
 {
     private readonly PathCubic _one = one;
     private readonly PathCubic _two = two;
     private readonly double _oneStart = oneStart;
     private readonly double _twoStart = twoStart;
     private readonly double _distance = distance;
-    private readonly double _last = last;
-    private readonly bool _includesLast = includesLast;
 
     /// <summary>M bounds the relative acceleration, and so the second derivative of the gap.</summary>
     private readonly double _bend = one.GreatestAcceleration + two.GreatestAcceleration;
@@ -216,11 +218,5 @@ internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic
         bool meets = gap <= ContactTolerances.Touching && (rate < -ContactTolerances.Approaching || gap < -ContactTolerances.BallOverlap);
         step = meets ? 0 : TimeOfImpact.Safe(Math.Max(0, gap), rate, _bend);
         return meets;
-    }
-
-    public bool Advance(ref double t, double step)
-    {
-        t += Math.Max(step, ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * t));
-        return t < _last || (_includesLast && t == _last);
     }
 }
