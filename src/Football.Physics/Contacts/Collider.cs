@@ -188,18 +188,7 @@ internal sealed class Collider
     /// <summary>Its bounding box in its own frame; for objects that the game does not move, at time 0.</summary>
     public ref readonly Bounds3d Bounds => ref _bounds;
 
-    private ref readonly RigidMotion Motion
-    {
-        get
-        {
-            if (_placement is null)
-            {
-                return ref _motion;
-            }
-
-            return ref _placement.Motion;
-        }
-    }
+    private ref readonly RigidMotion Motion => ref _placement is null ? ref _motion : ref _placement.Motion;
 
     /// <summary>Assigns an engine collider to this slot.</summary>
     public void Become(EngineCollider collider)
@@ -265,16 +254,7 @@ internal sealed class Collider
     }
 
     /// <summary>Returns the material at a position.</summary>
-    public ref readonly ContactMaterial MaterialAt(in Vector3d position)
-    {
-        int patch = PatchAt(in position);
-        if (patch < 0)
-        {
-            return ref _material;
-        }
-
-        return ref _patches[patch];
-    }
+    public ref readonly ContactMaterial MaterialAt(in Vector3d position) => ref PatchAt(in position) is >= 0 and int patch ? ref _patches[patch] : ref _material;
 
     /// <summary>Returns distance, normal and curvature at a point and a time.</summary>
     public ShapePoint At(in Vector3d position, double time) => Moves ? Motion.At(_shape, in position, time) : _shape.At(in position);

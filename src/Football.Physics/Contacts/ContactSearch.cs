@@ -42,7 +42,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         {
             // The ball can hit only the ground.
             best = _world.Ground is null || carrier == 0 || held.Length > 0 ? best : FirstContact(0, carrier, held, _path.Length, out _);
-            first = best <= _path.Length ? Separation.OfContact(_world, 0) : first;
+            first = best <= _path.Length ? new Separation(_world, SeparationKind.Contact, 0) : first;
             return best;
         }
 
@@ -64,7 +64,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
-                first = seam ? Separation.OfSeam(_world, thing) : Separation.OfContact(_world, thing);
+                first = new Separation(_world, seam ? SeparationKind.Seam : SeparationKind.Contact, thing);
             }
         }
 
@@ -138,12 +138,12 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             if ((s.GoalsEntered >> goal & 1) != 0)
             {
                 // If the ball is in the mouth of a goal, always test whether it crosses the line or leaves through the mouth.
-                Cross(Separation.OfGoal(_world, SeparationKind.GoalLine, goal), ref best, ref first);
-                Cross(Separation.OfGoal(_world, SeparationKind.MouthLeft, goal), ref best, ref first);
+                Cross(new Separation(_world, SeparationKind.GoalLine, goal), ref best, ref first);
+                Cross(new Separation(_world, SeparationKind.MouthLeft, goal), ref best, ref first);
             }
             else if (((near.Goals & ~s.GoalsPassed) >> goal & 1) != 0)
             {
-                Separation entry = Separation.OfGoal(_world, SeparationKind.MouthEntered, goal);
+                var entry = new Separation(_world, SeparationKind.MouthEntered, goal);
                 var mouth = new MouthGap(in entry, in _world.Goals[goal], in _path, _time, _bend);
                 Keep(ref mouth, in entry, ref best, ref first);
             }

@@ -1,35 +1,22 @@
 namespace FootballPhysics.Contacts;
 
 /// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
-internal struct NearThings
+/// <remarks>It includes the engine colliders that the last cast found.</remarks>
+/// <param name="world">The world.</param>
+/// <param name="box">The box.</param>
+/// <param name="time">The time, s.</param>
+/// <param name="duration">The duration, s.</param>
+internal struct NearThings(World world, in Bounds3d box, double time, double duration)
 {
-    private readonly World _world;
-    private readonly BroadPhase _objects;
-    private readonly Bounds3d _box;
-    private readonly double _time;
-    private readonly double _duration;
+    private readonly World _world = world;
+    private readonly BroadPhase _objects = world.BroadPhase;
+    private readonly Bounds3d _box = box;
+    private readonly double _time = time;
+    private readonly double _duration = duration;
     private int _unbounded;
     private int _node;
     private int _moving;
     private int _engine;
-
-    /// <summary>Starts an enumeration, with the engine colliders that the last cast found.</summary>
-    /// <param name="world">The world.</param>
-    /// <param name="box">The box.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="duration">The duration, s.</param>
-    public NearThings(World world, in Bounds3d box, double time, double duration)
-    {
-        _world = world;
-        _objects = world.BroadPhase;
-        _box = box;
-        _time = time;
-        _duration = duration;
-        _unbounded = 0;
-        _node = 0;
-        _moving = 0;
-        _engine = 0;
-    }
 
     /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m; by default, those that may touch it.</summary>
     public static NearThings At(World world, in Vector3d position, double time, double distance = ContactTolerances.Touching)

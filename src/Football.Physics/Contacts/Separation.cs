@@ -4,41 +4,31 @@ namespace FootballPhysics.Contacts;
 
 /// <summary>An event searched for along a piece: a function of the ball's position that is positive before the event and zero at
 /// it.</summary>
-internal readonly struct Separation
+/// <param name="world">The world.</param>
+/// <param name="what">The kind of the event.</param>
+/// <param name="index">The collider, the net or the goal.</param>
+/// <param name="axis">For nets: 0 and 1 along the sheet, 2 off its plane; plus 4 on the negative side.</param>
+/// <param name="side">For nets: σ.</param>
+/// <param name="deepest">The net in which the ball is deepest; −1 if it does not matter.</param>
+/// <param name="deepestSide">σ of that net.</param>
+internal readonly struct Separation(World world, SeparationKind what, int index, int axis = 0, double side = 0, int deepest = -1, double deepestSide = 0)
 {
-    private readonly World _world;
-    private readonly int _axis;
-    private readonly int _deepest;
-    private readonly double _deepestSide;
-
-    private Separation(World world, SeparationKind what, int index, int axis, double side, int deepest = -1, double deepestSide = 0)
-    {
-        _world = world;
-        What = what;
-        Index = index;
-        _axis = axis;
-        Side = side;
-        _deepest = deepest;
-        _deepestSide = deepestSide;
-    }
+    private readonly World _world = world;
+    private readonly int _axis = axis;
+    private readonly int _deepest = deepest;
+    private readonly double _deepestSide = deepestSide;
 
     /// <summary>Kind of the event.</summary>
-    public SeparationKind What { get; }
+    public SeparationKind What { get; } = what;
 
     /// <summary>Index of the collider, the net or the goal.</summary>
-    public int Index { get; }
+    public int Index { get; } = index;
 
     /// <summary>σ of the net that the ball enters.</summary>
-    public double Side { get; }
+    public double Side { get; } = side;
 
     /// <summary>Second derivative of the gap for unit acceleration: at the edge of a net, position and depth both contribute.</summary>
     public double Bends => _deepest >= 0 ? 2.0 : 1.0;
-
-    /// <summary>The distance between the ball and a collider.</summary>
-    public static Separation OfContact(World world, int collider) => new(world, SeparationKind.Contact, collider, 0, 0);
-
-    /// <summary>The position at which a collider flush with the carrier becomes the carrier.</summary>
-    public static Separation OfSeam(World world, int collider) => new(world, SeparationKind.Seam, collider, 0, 0);
 
     /// <summary>The distance until the ball is in a net, across its plane or beyond its edge.</summary>
     /// <remarks>
@@ -68,12 +58,6 @@ internal readonly struct Separation
     /// <param name="deepestSide">σ of that net.</param>
     public static Separation OfNetEdge(World world, int net, int axis, double side, int deepest, double deepestSide) =>
         new(world, SeparationKind.NetLeft, net, axis + (side < 0 ? 4 : 0), 0, deepest, deepestSide);
-
-    /// <summary>The distance in front of the mouth of a goal, behind it, or in front of its line.</summary>
-    /// <param name="world">The world.</param>
-    /// <param name="what">The event: entering the mouth, leaving it, or passing the line.</param>
-    /// <param name="goal">The goal.</param>
-    public static Separation OfGoal(World world, SeparationKind what, int goal) => new(world, what, goal, 0, 0);
 
     /// <summary>Returns the value, m, and the rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
@@ -149,10 +133,10 @@ internal enum SeparationKind
     /// <summary>No event.</summary>
     None,
 
-    /// <summary>The ball touches a collider.</summary>
+    /// <summary>The ball touches a collider. The gap is their distance.</summary>
     Contact,
 
-    /// <summary>The ball reaches a flush surface that becomes its carrier.</summary>
+    /// <summary>The ball reaches a collider that is flush with its carrier and becomes the carrier.</summary>
     Seam,
 
     /// <summary>The ball enters a net.</summary>

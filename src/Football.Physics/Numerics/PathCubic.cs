@@ -1,24 +1,20 @@
 namespace FootballPhysics.Numerics;
 
 /// <summary>The path of a segment as a cubic in time: close to the integrated path, and cheap to search.</summary>
-internal readonly struct PathCubic
+/// <param name="c0">The position at the start, in m.</param>
+/// <param name="c1">The coefficient of t, in m/s.</param>
+/// <param name="c2">The coefficient of t².</param>
+/// <param name="c3">The coefficient of t³.</param>
+/// <param name="length">The duration, in s.</param>
+internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c2, in Vector3d c3, double length)
 {
-    private readonly Vector3d _c0;
-    private readonly Vector3d _c1;
-    private readonly Vector3d _c2;
-    private readonly Vector3d _c3;
-
-    private PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c2, in Vector3d c3, double length)
-    {
-        _c0 = c0;
-        _c1 = c1;
-        _c2 = c2;
-        _c3 = c3;
-        Length = length;
-    }
+    private readonly Vector3d _c0 = c0;
+    private readonly Vector3d _c1 = c1;
+    private readonly Vector3d _c2 = c2;
+    private readonly Vector3d _c3 = c3;
 
     /// <summary>The duration, in s.</summary>
-    public double Length { get; }
+    public double Length { get; } = length;
 
     /// <summary>A bound on the speed, in m/s: the maximum over the control points of the velocity.</summary>
     public double FastestSpeed

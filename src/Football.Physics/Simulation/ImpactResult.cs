@@ -97,7 +97,7 @@ internal sealed class ImpactResult
         }
         else
         {
-            run.Report(new BallEvent(BallEventKind.Impact, thing, in end.Normal, s.Time, s.Position, s.Velocity, s.Spin, in end.Struck, in end.Spin) { AddedEnergy = end.Added });
+            run.Report(BallEventKind.Impact, thing, in end.Normal, in s, in end.Struck, in end.Spin, end.Added);
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;

@@ -204,11 +204,18 @@ internal ref struct StepRun
     }
 
     /// <summary>Reports an event, or only counts it if the step has reported too many.</summary>
-    public readonly void Report(in BallEvent item)
+    /// <param name="kind">The kind of the event.</param>
+    /// <param name="thing">The object; −1 if there is none.</param>
+    /// <param name="normal">The normal of the contact.</param>
+    /// <param name="s">The ball just before the event.</param>
+    /// <param name="velocity">Its velocity just after, m/s.</param>
+    /// <param name="spin">Its spin just after, rad/s.</param>
+    /// <param name="added">The energy that a bumper added, J.</param>
+    public readonly void Report(BallEventKind kind, long thing, in Vector3d normal, in BallState s, in Vector3d velocity, in Vector3d spin, double added = 0)
     {
-        if (StepBudget.Reports(item.Kind, Told, Length))
+        if (StepBudget.Reports(kind, Told, Length))
         {
-            Log.Events.Add(in item);
+            Log.Events.Add(new BallEvent(kind, (int)thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin) { AddedEnergy = added });
         }
         else
         {

@@ -52,19 +52,17 @@ internal sealed partial class WorldContact
     public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
     {
         run.Squeezes++;
-        Vector3d spin = s.Spin;
-        Vector3d normal = _world.Colliders[collider].At(s.Position, s.Time).Normal;
         s.Carrier = collider + _world.FirstCollider;
-        s.SetGroundSpin(in spin);
+        run.Report(BallEventKind.Pinned, s.Carrier, _world.Colliders[collider].At(s.Position, s.Time).Normal, in s, s.Velocity, s.Spin);
+        s.SetGroundSpin(s.Spin);
         s.Motion = MotionState.Pinned;
         s.Branch = DragBranch.Unknown;
-        run.Report(new BallEvent(BallEventKind.Pinned, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
     }
 
     /// <summary>Ends a squeeze: the ball has room again.</summary>
     public void EndSqueeze(ref BallState s, ref StepRun run)
     {
-        run.Report(new BallEvent(BallEventKind.Pinned, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(BallEventKind.Pinned, -1, Vector3d.Zero, in s, s.Velocity, s.Spin);
         Fly(ref s, s.Velocity, s.Spin);
     }
 

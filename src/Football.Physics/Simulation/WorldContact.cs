@@ -96,18 +96,16 @@ internal sealed partial class WorldContact
     {
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
-        Vector3d before = s.Spin;
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
-        Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
-        s.SetGroundSpin(in spin);
-        s.Motion = MotionState.Rolling;
-        if (run.Jumped)
+        Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.Spin, in n), in n, _world.Ball.Radius);
+        if (!run.Jumped)
         {
-            run.Jumped = false;
-            return;
+            run.Report(BallEventKind.Roll, s.Carrier, in n, in s, s.Velocity, in spin);
         }
 
-        run.Report(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+        run.Jumped = false;
+        s.SetGroundSpin(in spin);
+        s.Motion = MotionState.Rolling;
     }
 
     /// <summary>Handles a velocity jump of the carrier since the last step: the ball keeps its velocity, and slips (world.md, On a
@@ -158,13 +156,13 @@ internal sealed partial class WorldContact
     {
         Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
         s.Motion = MotionState.Sliding;
-        run.Report(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(BallEventKind.Slide, s.Carrier, in n, in s, s.Velocity, s.Spin);
     }
 
     /// <summary>Releases the ball from its carrier, and divides the rest of the step from scratch.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        run.Report(new BallEvent(BallEventKind.ContactEnd, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
+        run.Report(BallEventKind.ContactEnd, -1, Vector3d.Zero, in s, in velocity, in spin);
         run.Part = 0;
         Fly(ref s, in velocity, in spin);
     }
@@ -186,7 +184,7 @@ internal sealed partial class WorldContact
 
     private static void Rest(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        run.Report(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(BallEventKind.Rest, -1, Vector3d.Zero, in s, s.Velocity, s.Spin);
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);

@@ -41,7 +41,7 @@ internal sealed class WorldGuard
                 continue;
             }
 
-            Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
+            new Separation(_world, SeparationKind.Contact, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
             // A closing contact is an impact. If a flying ball is pressed onto a surface and neither closes nor leaves, the surface supports it.
             bool touches = gap <= ContactTolerances.Touching;
@@ -169,7 +169,7 @@ internal sealed class WorldGuard
             case SeparationKind.NetMet:
                 s.Nets |= 1UL << met.Index;
                 s.NetSides = met.Side > 0 ? s.NetSides | (1UL << met.Index) : s.NetSides & ~(1UL << met.Index);
-                Report(in s, BallEventKind.Net, _world.ThingOfNet(met.Index), met.Side * _world.Nets[met.Index].Normal, ref run);
+                run.Report(BallEventKind.Net, _world.ThingOfNet(met.Index), met.Side * _world.Nets[met.Index].Normal, in s, s.Velocity, s.Spin);
                 break;
             case SeparationKind.NetLeft:
                 s.Nets &= ~(1UL << met.Index);
@@ -183,13 +183,10 @@ internal sealed class WorldGuard
             case SeparationKind.GoalLine:
                 s.GoalsEntered &= ~(1UL << met.Index);
                 s.GoalsPassed |= 1UL << met.Index;
-                Report(in s, BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, ref run);
+                run.Report(BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, in s, s.Velocity, s.Spin);
                 break;
         }
     }
-
-    private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
-        run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
     /// <summary>True if the contact found is the one at the end of the piece, detected slightly earlier.</summary>
     private static bool IsAgain<TSweep>(ref TSweep sweep, in Separation met, in Separation found, double time, double before)
@@ -234,31 +231,22 @@ internal sealed class WorldGuard
     }
 
     /// <summary>A gap that closes, as a function of the step's length.</summary>
-    private readonly struct Closing<TSweep> : IEventFunction<TSweep>
+    /// <param name="gap">The gap.</param>
+    /// <param name="start">Start time of the piece, s.</param>
+    /// <param name="dips">Whether the gap is open at the end of the piece too. The search then stops after the minimum, as there may be
+    /// no root.</param>
+    private readonly struct Closing<TSweep>(in Separation gap, double start, bool dips) : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
-        private readonly Separation _gap;
-        private readonly double _start;
-        private readonly bool _dips;
-
-        /// <param name="gap">The gap.</param>
-        /// <param name="start">Start time of the piece, s.</param>
-        /// <param name="dips">Whether the gap is open at the end of the piece too. The search then stops after the minimum, as there may be
-        /// no root.</param>
-        public Closing(in Separation gap, double start, bool dips)
-        {
-            _gap = gap;
-            _start = start;
-            _dips = dips;
-        }
+        private readonly Separation _gap = gap;
 
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
-            _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
+            _gap.Evaluate(sweep.Position, sweep.Velocity, start + tau, out value, out double rate);
 
             // The Newton step −f/f', valid while the gap closes.
             correction = rate < 0 ? -value / rate : double.NaN;
-            if (Math.Abs(value) <= ContactTolerances.LocatedGap || (_dips && value > 0 && rate >= 0))
+            if (Math.Abs(value) <= ContactTolerances.LocatedGap || (dips && value > 0 && rate >= 0))
             {
                 return true;
             }
@@ -269,7 +257,7 @@ internal sealed class WorldGuard
             {
                 // Apply the correction twice, because the first one leaves an error due to the curvature of the gap.
                 sweep.Nudge(correction);
-                _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
+                _gap.Evaluate(sweep.Position, sweep.Velocity, start + sweep.Length, out double left, out rate);
                 sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
             }
 
