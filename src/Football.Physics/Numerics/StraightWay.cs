@@ -1,40 +1,33 @@
 namespace FootballPhysics.Numerics;
 
 /// <summary>A straight path of a ball with a margin: the input of the broad phase.</summary>
-internal readonly struct StraightWay
+/// <param name="from">The start, in m.</param>
+/// <param name="velocity">The velocity, in m/s.</param>
+/// <param name="time">The start time, in s.</param>
+/// <param name="duration">The duration, in s.</param>
+/// <param name="around">The margin, in m: the path counts as hitting everything within it.</param>
+internal readonly struct StraightWay(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
 {
     /// <summary>The minimum speed along an axis, in m/s, to avoid a division by zero.</summary>
     private const double Slowest = 1e-30;
 
-    /// <summary>Creates a path.</summary>
-    /// <param name="from">The start, in m.</param>
-    /// <param name="velocity">The velocity, in m/s.</param>
-    /// <param name="time">The start time, in s.</param>
-    /// <param name="duration">The duration, in s.</param>
-    /// <param name="around">The margin, in m: the path counts as hitting everything within it.</param>
-    public StraightWay(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
-    {
-        From = from;
-        Velocity = velocity;
-        Time = time;
-        Duration = duration;
-        Around = around;
-    }
+    /// <summary>One over the velocity along each axis, in s/m.</summary>
+    private readonly Vector3d _inverse = new(Inverse(velocity.X), Inverse(velocity.Y), Inverse(velocity.Z));
 
     /// <summary>The start, in m.</summary>
-    public Vector3d From { get; }
+    public Vector3d From { get; } = from;
 
     /// <summary>The velocity, in m/s.</summary>
-    public Vector3d Velocity { get; }
+    public Vector3d Velocity { get; } = velocity;
 
     /// <summary>The start time, in s.</summary>
-    public double Time { get; }
+    public double Time { get; } = time;
 
     /// <summary>The duration, in s.</summary>
-    public double Duration { get; }
+    public double Duration { get; } = duration;
 
     /// <summary>The margin, in m: the path counts as hitting everything within it.</summary>
-    public double Around { get; }
+    public double Around { get; } = around;
 
     /// <summary>The midpoint, in m.</summary>
     public Vector3d Middle => From + ((0.5 * Duration) * Velocity);
@@ -62,9 +55,9 @@ internal readonly struct StraightWay
         double leave = double.PositiveInfinity;
 
         // Enlarge the box by the margin, and treat the ball as a point. The ball is inside while it is between all three pairs of planes.
-        Slab(box.Min.X - Around - From.X, box.Max.X + Around - From.X, Inverse(Velocity.X), ref enter, ref leave);
-        Slab(box.Min.Y - Around - From.Y, box.Max.Y + Around - From.Y, Inverse(Velocity.Y), ref enter, ref leave);
-        Slab(box.Min.Z - Around - From.Z, box.Max.Z + Around - From.Z, Inverse(Velocity.Z), ref enter, ref leave);
+        Slab(box.Min.X - Around - From.X, box.Max.X + Around - From.X, _inverse.X, ref enter, ref leave);
+        Slab(box.Min.Y - Around - From.Y, box.Max.Y + Around - From.Y, _inverse.Y, ref enter, ref leave);
+        Slab(box.Min.Z - Around - From.Z, box.Max.Z + Around - From.Z, _inverse.Z, ref enter, ref leave);
         return enter <= leave ? enter : double.PositiveInfinity;
     }
 

@@ -236,6 +236,6 @@ internal sealed class ClearFlight
         public readonly double Friction = friction;
 
         /// <summary>|u|, m/s.</summary>
-        public double AirSpeed => Math.Sqrt(AirSpeedSquared);
+        public readonly double AirSpeed = Math.Sqrt(airSpeedSquared);
     }
 }

@@ -45,8 +45,11 @@ internal sealed class ContactLoad
             // Most impacts return here: bounds on the forces show that the ball flies, without evaluating the air.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
-            double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
-                + MostOfRotation(collider, in s, in along);
+            double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
+
+            // The upper bound of |A_s·n| on a rotating surface.
+            double turns = collider.Spin.Length;
+            most += turns == 0 ? 0 : turns * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
             if (s.Nets == 0 && off >= 0.5 * hop * most)
             {
                 return false;
@@ -94,13 +97,6 @@ internal sealed class ContactLoad
             : Vector3d.Zero;
         Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
         return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
-    }
-
-    /// <summary>Returns the upper bound of |A_s·n| on a rotating carrier, m/s².</summary>
-    private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
-    {
-        double spin = collider.Spin.Length;
-        return spin == 0 ? 0 : spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
     }
 
     /// <summary>True if all forces on a ball in a net balance.</summary>

@@ -143,7 +143,8 @@ internal sealed class FlightPhase<TIntegrator>
         sweep = new FlightSweep<TMethod>(_around, flight, in s);
         if (run.Whole == WholeStep.Ends)
         {
-            sweep.Take(in run.Taken, h);
+            sweep.Taken = run.Taken;
+            sweep.Length = h;
         }
         else
         {
@@ -228,8 +229,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         double length = sweep.Length;
-        end.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out end.Met);
-        if (!end.Meets)
+        if (!_guard.EndAtFirst(ref sweep, in s, order, default, out end.Met))
         {
             // Forces turn the ball back, so the search halved the piece: keep this length for the rest of the step.
             run.Keep(sweep.Length, length);
@@ -254,12 +254,12 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.MoveTo(ref s);
         s.Branch = end.Branch;
         run.Advance(ref s, sweep.Length);
-        if (end.Meets && end.Met.What == SeparationKind.Contact)
+        if (end.Met.What == SeparationKind.Contact)
         {
             // Set the exact contact height on level ground, so that the path crosses a plane at that height.
             s.Position = _world.Colliders[end.Met.Index].Snap(s.Position);
         }
-        else if (!end.Meets)
+        else if (end.Met.What == SeparationKind.None)
         {
             // The ball may have entered a surface that it touched without load at the start.
             ContactSet.Separate(_world, ref s);
@@ -274,7 +274,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>Handles the contact at the end of a piece.</summary>
     private void Respond(ref BallState s, ref StepRun run, in FlightEnd end)
     {
-        if (end.Meets && !run.Log.Halted)
+        if (end.Met.What != SeparationKind.None && !run.Log.Halted)
         {
             _guard.Meet(ref s, in end.Met, ref run);
         }
@@ -353,31 +353,24 @@ internal struct FlightEnd
     /// <summary>The branch of the drag law from the end on.</summary>
     public DragBranch Branch;
 
-    /// <summary>True if the piece ends at a contact.</summary>
-    public bool Meets;
-
-    /// <summary>The contact at its end, if it meets one.</summary>
+    /// <summary>The contact at the end.</summary>
     public Separation Met;
 }
 
 /// <summary>The spin left at the end of a flight with a constant axis.</summary>
-internal readonly struct SpinLeft<TIntegrator> : IEventFunction<FlightSweep<TIntegrator>>
+/// <param name="start">Spin at the start, rad/s.</param>
+internal readonly struct SpinLeft<TIntegrator>(double start) : IEventFunction<FlightSweep<TIntegrator>>
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>A spin below this counts as zero, rad/s.</summary>
     private const double Vanishing = 1e-300;
-
-    private readonly double _start;
-
-    /// <param name="start">Spin at the start, rad/s.</param>
-    public SpinLeft(double start) => _start = start;
 
     public bool Evaluate(ref FlightSweep<TIntegrator> sweep, double tau, out double value, out double correction)
     {
         value = sweep.Taken.SpinRate;
 
         // Use the secant from the start of the step, because the spin falls almost linearly.
-        correction = value * tau / (_start - value);
-        return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
+        correction = value * tau / (start - value);
+        return Math.Abs(value) <= (1e-14 * start) + Vanishing || !(tau > 0);
     }
 }

@@ -7,31 +7,20 @@ using FootballPhysics.State;
 namespace FootballPhysics.Simulation;
 
 /// <summary>A step of flight along a constant spin axis, which can be repeated with other lengths.</summary>
-internal struct FlightSweep<TIntegrator> : IFlightSweep
+/// <param name="around">The forces on the ball.</param>
+/// <param name="flight">Takes the steps.</param>
+/// <param name="from">The ball at the start.</param>
+internal struct FlightSweep<TIntegrator>(Surroundings around, IFlight flight, in BallState from) : IFlightSweep
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>The result of the step.</summary>
     public FlightStep Taken;
-    private readonly Surroundings _around;
-    private readonly IFlight _flight;
-    private readonly BallState _from;
-    private readonly Vector3d _fromAirVelocity;
-    private TIntegrator _integrator;
+    private readonly Surroundings _around = around;
+    private readonly IFlight _flight = flight;
+    private readonly BallState _from = from;
+    private readonly Vector3d _fromAirVelocity = from.Velocity - around.Wind;
 
-    /// <summary>Starts at a state of the ball.</summary>
-    public FlightSweep(Surroundings around, IFlight flight, in BallState from)
-    {
-        _around = around;
-        _flight = flight;
-        _from = from;
-        _fromAirVelocity = from.Velocity - around.Wind;
-        Taken = default;
-        _integrator = default;
-        Length = 0;
-        Evaluations = 0;
-    }
-
-    public double Length { get; private set; }
+    public double Length { get; set; }
 
     public int Evaluations { get; set; }
 
@@ -54,15 +43,8 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     {
         FlightMotion motion = _from.Flight;
         _flight.Fly(in _from, ref motion, in _around.Wind, _from.Branch, _around.Upward, h, out Taken);
-        Evaluations += _integrator.Stages;
+        Evaluations += default(TIntegrator).Stages;
         Length = h;
-    }
-
-    /// <summary>Adopts a step that was taken and counted elsewhere.</summary>
-    public void Take(in FlightStep taken, double length)
-    {
-        Taken = taken;
-        Length = length;
     }
 
     public void Nudge(double dt)
