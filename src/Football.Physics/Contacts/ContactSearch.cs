@@ -118,11 +118,12 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         {
             if ((s.Nets >> net & 1) != 0)
             {
-                // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it.
-                Vector3d place = _world.Nets[net].PlaceInFrame(_path.At(0));
-                Leave(Separation.OfLeavingNet(_world, net, NetSheet.SideOf(s.NetSides, net)), ref best, ref first);
-                Leave(Separation.OfNetEdge(_world, net, 0, place.X, deepest, deepestSide), ref best, ref first);
-                Leave(Separation.OfNetEdge(_world, net, 1, place.Y, deepest, deepestSide), ref best, ref first);
+                // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it. It leaves over an edge at
+                // its greatest depth in any net, so that it does not slip through where two nets are joined.
+                Vector3d place = _world.Nets[net].PlaceInFrame(_path.Start);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 2, NetSheet.SideOf(s.NetSides, net)), ref best, ref first);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 0, place.X, 0, deepest, deepestSide), ref best, ref first);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 1, place.Y, 0, deepest, deepestSide), ref best, ref first);
             }
             else if ((near.Nets >> net & 1) != 0)
             {

@@ -66,6 +66,19 @@ internal sealed class NetSheet
     /// <summary>Converts a position to the sheet's axes, relative to its centre.</summary>
     public Vector3d PlaceInFrame(in Vector3d position) => InFrame(position - _center);
 
+    /// <summary>Returns the distance of a position beyond an edge of the sheet, or off its plane, m.</summary>
+    /// <param name="axis">0 or 1 for an edge along the sheet, 2 for the plane.</param>
+    /// <param name="sign">The side of that axis.</param>
+    /// <param name="position">The position, m.</param>
+    /// <param name="velocity">The velocity, m/s.</param>
+    /// <param name="rate">The rate of the distance, m/s.</param>
+    public double Beyond(int axis, double sign, in Vector3d position, in Vector3d velocity, out double rate)
+    {
+        Vector3d direction = axis == 0 ? _along : axis == 1 ? _across : Normal;
+        rate = sign * Vector3d.Dot(in velocity, in direction);
+        return (sign * Vector3d.Dot(position - _center, in direction)) - (axis == 0 ? HalfLength : axis == 1 ? HalfWidth : 0);
+    }
+
     /// <summary>Depth of the ball, δ = r − σ (p − c)·n, m.</summary>
     public double Depth(in Vector3d position, double side) => _radius - (side * Vector3d.Dot(position - _center, Normal));
 

@@ -66,7 +66,7 @@ internal struct NetGap : IGap
         _deepest = deepest;
         _deepestSide = deepestSide;
         double side = world.Nets[index].PlaceInFrame(path.At(0)).Z < 0 ? -1.0 : 1.0;
-        _last = Separation.OfMeetingNet(world, index, 2, side, side, deepest, deepestSide);
+        _last = new Separation(world, SeparationKind.NetMet, index, 2, side, side);
     }
 
     /// <summary>The condition that was met last.</summary>
@@ -81,9 +81,9 @@ internal struct NetGap : IGap
         // The side of entry is the side of the sheet from which the ball reaches the slab.
         double side = place.Z < 0 ? -1.0 : 1.0;
         step = 0;
-        Consider(Separation.OfMeetingNet(_world, _index, 2, place.Z, side, _deepest, _deepestSide), in at, in velocity, ref step);
-        Consider(Separation.OfMeetingNet(_world, _index, 0, place.X, side, _deepest, _deepestSide), in at, in velocity, ref step);
-        Consider(Separation.OfMeetingNet(_world, _index, 1, place.Y, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        Consider(new Separation(_world, SeparationKind.NetMet, _index, 2, place.Z, side), in at, in velocity, ref step);
+        Consider(new Separation(_world, SeparationKind.NetMet, _index, 0, place.X, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        Consider(new Separation(_world, SeparationKind.NetMet, _index, 1, place.Y, side, _deepest, _deepestSide), in at, in velocity, ref step);
         return step == 0;
     }
 
