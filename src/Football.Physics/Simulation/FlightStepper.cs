@@ -49,17 +49,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return;
         }
 
-        WholeStep whole = Whole(ref s, dt, s.Time + dt, log, out FlightStep step);
+        WholeStep whole = TryWhole(ref s, dt, s.Time + dt, log, out FlightStep step);
         if (whole != WholeStep.Done)
         {
             TakePieces(ref s, dt, log, whole, in step);
         }
     }
 
-    protected override WholeStep TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step) => Whole(ref s, dt, end, log, out step);
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private WholeStep Whole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
+    protected override WholeStep TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
     {
         Unsafe.SkipInit(out step);
         double vx = s.Flight.Velocity.X;
@@ -96,16 +94,21 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             s.Branch = branch;
         }
 
-        // Use pieces if stability, the hop limit or the broad phase requires them.
+        // Use pieces if the hop limit, stability or the broad phase requires them.
         bool covered = _air.Covers(speedSquared, spin, dt);
-        if ((_air.Acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered))
-            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
-            || !IsClear(ref s, dt, mostSquared))
+        bool acts = _air.Acts;
+        if ((_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
+            || (acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered)))
         {
             return WholeStep.NotTaken;
         }
 
-        if (!_air.Acts)
+        if (!IsClear(ref s, dt, mostSquared))
+        {
+            return WholeStep.Near;
+        }
+
+        if (!acts)
         {
             return Fall(ref s, dt, end, log);
         }

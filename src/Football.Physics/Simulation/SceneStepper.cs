@@ -311,7 +311,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     break;
             }
 
-            run.Whole = WholeStep.Untried;
+            run.Whole = run.Whole == WholeStep.Near ? WholeStep.Near : WholeStep.Untried;
         }
 
         // Set the exact end time, because the sum of the pieces equals it only to within rounding.
@@ -370,7 +370,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <summary>Takes the next piece of a flight. The rest of the step is tried as a whole step first.</summary>
     private void TakeFlight(ref BallState s, ref StepRun run)
     {
-        if (run.Part > 0 || _flight.IsHeld(in s))
+        if (run.Whole != WholeStep.Near && (run.Part > 0 || _flight.IsHeld(in s)))
         {
             // The step is divided, or the ball touches the ground: the next piece handles this contact first.
             run.Whole = WholeStep.NotTaken;
@@ -394,7 +394,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <remarks>On flat ground the rest of the step is tried as a whole step first.</remarks>
     private void TakeSurface(ref BallState s, ref StepRun run)
     {
-        bool isUntried = run.Whole == WholeStep.Untried;
+        bool isUntried = run.Whole is WholeStep.Untried or WholeStep.Near;
         if (!(run.Part > 0) && ((isUntried && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
             || (_line is not null && !run.Jumped && (isUntried || World.Engine is not null) && _line.TryWhole(ref s, run.Left, run.End, run.Log))))
         {
@@ -413,8 +413,11 @@ internal enum WholeStep
     /// <summary>Not tried yet.</summary>
     Untried,
 
-    /// <summary>Not taken, because the step may have to be divided, or an object is near.</summary>
+    /// <summary>Not taken, because the step may have to be divided.</summary>
     NotTaken,
+
+    /// <summary>Not taken, because an object is near. A flight in the rest of the step is not tried either.</summary>
+    Near,
 
     /// <summary>Integrated, but it contains an event. The ball has not moved.</summary>
     Ends,
