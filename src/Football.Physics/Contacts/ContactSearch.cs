@@ -187,8 +187,8 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         var span = new SearchSpan(_path.Length, until);
         if (collider.StandingPlane is { } plane)
         {
-            var distance = new PlaneGap(_path.DistanceTo(plane.Normal, plane.DistanceTo(_path.Start) - r));
-            return TimeOfImpact.First(ref distance, in span);
+            var flat = new PlaneGap(in _path, plane.Normal, plane.DistanceTo(in _path.Start) - r);
+            return TimeOfImpact.First(ref flat, in span);
         }
 
         if (collider.Rotates)

@@ -3,17 +3,35 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 
-/// <summary>The gap between a ball on a path and a stationary plane.</summary>
-/// <param name="distance">Distance of the ball's surface from the plane along the path.</param>
-internal readonly struct PlaneGap(in PathDistance distance) : IGap
+/// <summary>The gap between a ball on a path and a stationary plane: a cubic in time.</summary>
+internal readonly struct PlaneGap : IGap
 {
-    private readonly PathDistance _distance = distance;
-    private readonly double _bend = distance.GreatestFall;
+    private readonly double _c0;
+    private readonly double _c1;
+    private readonly double _c2;
+    private readonly double _c3;
+    private readonly double _bend;
+
+    /// <summary>Prepares the gap.</summary>
+    /// <param name="path">The path.</param>
+    /// <param name="normal">The normal of the plane.</param>
+    /// <param name="start">The gap at the start of the path, m.</param>
+    public PlaneGap(in PathCubic path, in Vector3d normal, double start)
+    {
+        _c0 = start;
+        _c1 = Vector3d.Dot(in path.C1, in normal);
+        _c2 = Vector3d.Dot(in path.C2, in normal);
+        _c3 = Vector3d.Dot(in path.C3, in normal);
+
+        // The second derivative is linear in time, so it is greatest at an end.
+        _bend = Math.Max(0, -2.0 * Math.Min(_c2, _c2 + (3.0 * path.Length * _c3)));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsClosed(double t, out double step)
     {
-        double gap = _distance.At(t, out double rate);
+        double gap = _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
+        double rate = _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
         bool closes = TimeOfImpact.Closes(gap, rate);
         step = closes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
         return closes;
@@ -77,7 +95,7 @@ internal struct ShapeGap : IGap
         if ((t == 0 || Crosses) && hollow == 0)
         {
             // A convex shape lies behind the tangent plane at its nearest point: if the path never reaches that plane, there is no contact.
-            var plane = new PlaneGap(_path.DistanceTo(at.Normal, gap - _path.ClimbAlong(at.Normal, t)));
+            var plane = new PlaneGap(in _path, at.Normal, gap - Vector3d.Dot(_path.At(t) - _path.Start, at.Normal));
             if (!(TimeOfImpact.First(ref plane, in _span, t) <= _span.Until))
             {
                 return false;

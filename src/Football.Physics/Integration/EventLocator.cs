@@ -11,14 +11,7 @@ internal static class EventLocator
     public const double Negligible = 1e-6;
 
     /// <summary>The largest contribution of the acceleration to a linear correction, in m.</summary>
-    private const double NegligibleBend = 1e-10;
-
-    /// <summary>Returns true if a linear correction may move the end of a step, without repeating the step.</summary>
-    /// <param name="sweep">The step.</param>
-    /// <param name="correction">The correction, in s.</param>
-    public static bool IsLinear<TSweep>(ref TSweep sweep, double correction)
-        where TSweep : struct, ISweep =>
-        Math.Abs(correction) <= Negligible && sweep.StartAcceleration.Length * correction * correction <= NegligibleBend;
+    public const double NegligibleBend = 1e-10;
 
     /// <summary>Shortens a step to the zero of an event function.</summary>
     /// <param name="sweep">The step.</param>

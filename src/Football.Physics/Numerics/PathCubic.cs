@@ -8,10 +8,13 @@ namespace FootballPhysics.Numerics;
 /// <param name="length">The duration, in s.</param>
 internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c2, in Vector3d c3, double length)
 {
-    private readonly Vector3d _c0 = c0;
-    private readonly Vector3d _c1 = c1;
-    private readonly Vector3d _c2 = c2;
-    private readonly Vector3d _c3 = c3;
+    /// <summary>The position at the start, in m.</summary>
+    public readonly Vector3d Start = c0;
+
+    /// <summary>The coefficients of t, t² and t³.</summary>
+    public readonly Vector3d C1 = c1;
+    public readonly Vector3d C2 = c2;
+    public readonly Vector3d C3 = c3;
 
     /// <summary>The duration, in s.</summary>
     public double Length { get; } = length;
@@ -22,8 +25,8 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
         get
         {
             // A velocity that is quadratic in time stays in the convex hull of its three control points.
-            Vector3d middle = _c1 + (Length * _c2);
-            return Math.Sqrt(Math.Max(_c1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
+            Vector3d middle = C1 + (Length * C2);
+            return Math.Sqrt(Math.Max(C1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
         }
     }
 
@@ -32,8 +35,8 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
     {
         get
         {
-            Vector3d end = (2.0 * _c2) + ((6.0 * Length) * _c3);
-            return Math.Sqrt(Math.Max(4.0 * _c2.LengthSquared, end.LengthSquared));
+            Vector3d end = (2.0 * C2) + ((6.0 * Length) * C3);
+            return Math.Sqrt(Math.Max(4.0 * C2.LengthSquared, end.LengthSquared));
         }
     }
 
@@ -43,12 +46,12 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
         get
         {
             // A Bézier curve stays in the convex hull of its control points.
-            Vector3d first = _c0 + (Length / 3.0 * _c1);
-            Vector3d second = _c0 + (Length * ((2.0 / 3.0 * _c1) + (Length / 3.0 * _c2)));
+            Vector3d first = Start + (Length / 3.0 * C1);
+            Vector3d second = Start + (Length * ((2.0 / 3.0 * C1) + (Length / 3.0 * C2)));
             Vector3d end = At(Length);
             return new Bounds3d(
-                new Vector3d(Least(_c0.X, first.X, second.X, end.X), Least(_c0.Y, first.Y, second.Y, end.Y), Least(_c0.Z, first.Z, second.Z, end.Z)),
-                new Vector3d(Most(_c0.X, first.X, second.X, end.X), Most(_c0.Y, first.Y, second.Y, end.Y), Most(_c0.Z, first.Z, second.Z, end.Z)));
+                new Vector3d(Least(Start.X, first.X, second.X, end.X), Least(Start.Y, first.Y, second.Y, end.Y), Least(Start.Z, first.Z, second.Z, end.Z)),
+                new Vector3d(Most(Start.X, first.X, second.X, end.X), Most(Start.Y, first.Y, second.Y, end.Y), Most(Start.Z, first.Z, second.Z, end.Z)));
         }
     }
 
@@ -59,8 +62,8 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
         {
             // The path stays in the convex hull of its control points: compare each with its counterpart on the line.
             double scale = Length * Length / 3.0;
-            double first = (_c2 + (Length * _c3)).LengthSquared;
-            double second = (_c2 + ((2.0 * Length) * _c3)).LengthSquared;
+            double first = (C2 + (Length * C3)).LengthSquared;
+            double second = (C2 + ((2.0 * Length) * C3)).LengthSquared;
             return scale * Math.Sqrt(Math.Max(first, second));
         }
     }
@@ -98,48 +101,24 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
         return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
     }
 
-    /// <summary>Returns the distance from a plane, given its normal and the distance at the start.</summary>
-    public PathDistance DistanceTo(in Vector3d n, double start) =>
-        new(start, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
-
-    /// <summary>Returns the displacement along a direction from the start to a time, in m.</summary>
-    public double ClimbAlong(in Vector3d direction, double t) => Vector3d.Dot(At(t) - _c0, in direction);
-
-    /// <summary>The position at the start, in m.</summary>
-    public Vector3d Start => _c0;
-
     /// <summary>Returns the position at a time, in m.</summary>
-    public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
+    public Vector3d At(double t) => Start + (t * (C1 + (t * (C2 + (t * C3)))));
 
     /// <summary>Returns the velocity at a time, in m/s.</summary>
-    public Vector3d VelocityAt(double t) => _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
+    public Vector3d VelocityAt(double t) => C1 + (t * ((2.0 * C2) + ((3.0 * t) * C3)));
 
     /// <summary>Returns the acceleration at a time, in m/s².</summary>
-    public Vector3d AccelerationAt(double t) => (2.0 * _c2) + ((6.0 * t) * _c3);
+    public Vector3d AccelerationAt(double t) => (2.0 * C2) + ((6.0 * t) * C3);
 
     /// <summary>Returns the path relative to an object with constant velocity.</summary>
     /// <param name="origin">The object's origin at the start of the path, in m.</param>
     /// <param name="velocity">The object's velocity, in m/s.</param>
-    public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(_c0 - origin, _c1 - velocity, in _c2, in _c3, Length);
+    public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(Start - origin, C1 - velocity, in C2, in C3, Length);
 
     /// <summary>Returns the rotated path.</summary>
-    public PathCubic Rotated(in Quaterniond by) => new(by.Rotate(in _c0), by.Rotate(in _c1), by.Rotate(in _c2), by.Rotate(in _c3), Length);
+    public PathCubic Rotated(in Quaterniond by) => new(by.Rotate(in Start), by.Rotate(in C1), by.Rotate(in C2), by.Rotate(in C3), Length);
 
     private static double Least(double a, double b, double c, double d) => Math.Min(Math.Min(a, b), Math.Min(c, d));
 
     private static double Most(double a, double b, double c, double d) => Math.Max(Math.Max(a, b), Math.Max(c, d));
-}
-
-/// <summary>The distance between a path and a plane: a cubic in time.</summary>
-internal readonly struct PathDistance(double c0, double c1, double c2, double c3, double length)
-{
-    /// <summary>The greatest downward second derivative, in m/s². It is linear in time, so it is greatest at an end.</summary>
-    public double GreatestFall => Math.Max(0, -2.0 * Math.Min(c2, c2 + (3.0 * length * c3)));
-
-    /// <summary>Returns the distance at a time, in m, and its rate, in m/s.</summary>
-    public double At(double t, out double rate)
-    {
-        rate = c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
-        return c0 + (t * (c1 + (t * (c2 + (t * c3)))));
-    }
 }

@@ -122,8 +122,11 @@ internal sealed class FlightPhase<TIntegrator>
 
         Vector3d u = s.Velocity - _around.Wind;
 
-        // Lock this piece to one branch of the drag law.
-        s.Branch = DragJump.Choose(_around.Air.Jumps, _jump.Acts, s.Branch, u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate);
+        // Lock this piece to one branch of a drag law that jumps.
+        if (_around.Air.Jumps)
+        {
+            s.Branch = DragJump.Choose(jumps: true, _jump.Acts, s.Branch, u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate);
+        }
 
         // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
         // full vector.
@@ -280,15 +283,10 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>True if the ball touches level ground and does not leave it.</summary>
-    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactTolerances.Leaving && s.Position.Y <= _world.LevelContact + ContactTolerances.Touching;
-
     /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
     private bool RestsInNet(ref BallState s, ref StepRun run)
     {
-        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-
-        if (!(_world.Energy(in at.Velocity, in at.Spin) <= _world.RestEnergy))
+        if (!(_world.Energy(s.Velocity, s.Spin) <= _world.RestEnergy))
         {
             return false;
         }

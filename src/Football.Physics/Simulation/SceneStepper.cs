@@ -370,9 +370,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <summary>Takes the next piece of a flight. The rest of the step is tried as a whole step first.</summary>
     private void TakeFlight(ref BallState s, ref StepRun run)
     {
-        if (run.Whole != WholeStep.Near && (run.Part > 0 || _flight.IsHeld(in s)))
+        bool isHeld = s.Velocity.Y <= ContactTolerances.Leaving && s.Position.Y <= World.LevelContact + ContactTolerances.Touching;
+        if (run.Whole != WholeStep.Near && (run.Part > 0 || isHeld))
         {
-            // The step is divided, or the ball touches the ground: the next piece handles this contact first.
+            // The step is divided, or the ball touches level ground and does not leave it: the next piece handles this contact first.
             run.Whole = WholeStep.NotTaken;
         }
         else if (run.Whole == WholeStep.Untried)

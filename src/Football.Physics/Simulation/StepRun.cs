@@ -174,7 +174,8 @@ internal ref struct StepRun
         Pieces++;
         if (Pieces % PiecesOfOneLength == 0)
         {
-            Divide();
+            Part = 0;
+            Spirals = false;
         }
 
         return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation;
@@ -187,7 +188,8 @@ internal ref struct StepRun
     /// <returns>True if the ball may bounce.</returns>
     public bool Hit()
     {
-        Divide();
+        Part = 0;
+        Spirals = false;
         return AllImpacts++ < MostImpacts;
     }
 
@@ -278,12 +280,5 @@ internal ref struct StepRun
         Squeezes = spent.Squeezes;
         _hits = spent.Hits;
         _lastHit = spent.LastHit;
-    }
-
-    /// <summary>Discards the part length, so that the rest of the step is divided from scratch.</summary>
-    private void Divide()
-    {
-        Part = 0;
-        Spirals = false;
     }
 }

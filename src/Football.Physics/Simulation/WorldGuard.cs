@@ -104,18 +104,11 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // At a seam, another surface becomes the carrier: end the piece when the ball reaches that surface.
-            if (found.What == SeparationKind.Seam)
+            // At a seam, another surface becomes the carrier: end the piece when the ball reaches that surface. If the ball touches a surface and closes
+            // from the start, the piece has zero length.
+            if (found.What == SeparationKind.Seam || at == 0)
             {
                 sweep.Step(at);
-                met = found;
-                break;
-            }
-
-            // The ball touches the surface and closes from the start: the piece has zero length.
-            if (at == 0)
-            {
-                sweep.Step(0);
                 met = found;
                 break;
             }
@@ -252,7 +245,8 @@ internal sealed class WorldGuard
             }
 
             // The remaining correction is small: move the end linearly instead of repeating the step.
-            bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
+            bool isClose = tau + correction >= 0 && Math.Abs(correction) <= EventLocator.Negligible
+                && sweep.StartAcceleration.Length * correction * correction <= EventLocator.NegligibleBend;
             if (isClose)
             {
                 // Apply the correction twice, because the first one leaves an error due to the curvature of the gap.
