@@ -41,14 +41,14 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         if (_world.IsBare)
         {
             // The ball can hit only the ground.
-            best = _world.Ground is null || carrier == 0 || held.Length > 0 ? best : FirstContact(0, carrier, held, _path.Length, out _);
+            best = _world.Ground is null || carrier == 0 || held.Length > 0 ? best : FirstContact(0, carrier, held, best, out _);
             first = best <= _path.Length ? new Separation(_world, SeparationKind.Contact, 0) : first;
             return best;
         }
 
         // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along each collider's gap.
         _world.Engine?.LookAlong(in _path, _time);
-        NearThings near = Near(in s);
+        NearThings near = Near(in s, out passages.Deepest);
         while (near.Next(out int thing))
         {
             if (_world.IsPassage(thing))
@@ -58,7 +58,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             }
 
             bool seam = false;
-            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
+            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, best, out seam);
 
             // If contacts are simultaneous, use the first collider in scene order, regardless of the traversal order.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
@@ -79,7 +79,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     {
         first = default;
         NearPassages passages = default;
-        NearThings near = Near(in s);
+        NearThings near = Near(in s, out passages.Deepest);
         while (_world.HasPassages && near.Next(out int thing))
         {
             passages.Add(_world, thing);
@@ -89,11 +89,11 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     }
 
     /// <summary>Enumerates the objects whose bounds the path reaches.</summary>
-    private NearThings Near(in BallState s)
+    private NearThings Near(in BallState s, out int deepest)
     {
         // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
-        int net = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
-        double deep = net < 0 ? 0 : _world.Nets[net].Depth(s.Position, NetSheet.SideOf(s.NetSides, net)) + (_path.Length * _path.FastestSpeed);
+        deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
+        double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, NetSheet.SideOf(s.NetSides, deepest)) + (_path.Length * _path.FastestSpeed);
         return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
     }
 
@@ -112,7 +112,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     /// <summary>Finds the first passage. Of simultaneous ones, it takes the first net or goal in scene order, but contacts come before them.</summary>
     private double FirstPassage(in BallState s, in NearPassages near, double best, ref Separation first)
     {
-        int deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
+        int deepest = near.Deepest;
         double deepestSide = deepest < 0 ? 0 : NetSheet.SideOf(s.NetSides, deepest);
         for (int net = 0; net < _world.Nets.Length && (near.Nets | s.Nets) >> net != 0; net++)
         {
@@ -128,7 +128,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             else if ((near.Nets >> net & 1) != 0)
             {
                 var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend);
-                double at = TimeOfImpact.First(ref sheet, SpanTo(best));
+                double at = TimeOfImpact.First(ref sheet, new SearchSpan(_path.Length, best));
                 first = at < best ? sheet.Last : first;
                 best = Math.Min(at, best);
             }
@@ -153,8 +153,6 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         return best;
     }
 
-    private SearchSpan SpanTo(double best) => new(_path.Length, Math.Min(best, _path.Length));
-
     /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first)
     {
@@ -172,7 +170,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     private void Keep<TGap>(ref TGap gap, in Separation happening, ref double best, ref Separation first)
         where TGap : struct, IGap
     {
-        double at = TimeOfImpact.First(ref gap, SpanTo(best));
+        double at = TimeOfImpact.First(ref gap, new SearchSpan(_path.Length, best));
         first = at < best ? happening : first;
         best = Math.Min(at, best);
     }
@@ -197,6 +195,16 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             return TimeOfImpact.First(ref rotating, in span);
         }
 
+        return FirstOnShape(thing, carrier, held, in span, out seam);
+    }
+
+    /// <summary>Returns the same time for a collider that does not rotate.</summary>
+    private double FirstOnShape(int thing, int carrier, Span<Contact> held, in SearchSpan span, out bool seam)
+    {
+        seam = false;
+        Collider collider = _world.Colliders[thing];
+        double r = _world.Ball.Radius;
+
         // Transform the path to the frame of a moving collider, in which the collider is stationary.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
@@ -213,7 +221,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
 
         var gap = new ShapeGap(collider, in path, _bend, r, in span);
         double t = TimeOfImpact.First(ref gap, in span);
-        while (t <= until)
+        while (t <= span.Until)
         {
             // A flush seam causes no contact: advance until the ball is above the face and the normals agree.
             double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
@@ -224,18 +232,13 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
 
             t += Math.Max(passage, span.Shortest);
             gap.Crosses = true;
-            if (t > until)
-            {
-                break;
-            }
-
-            seam = carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
+            seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
             if (seam)
             {
                 return t;
             }
 
-            t = TimeOfImpact.First(ref gap, in span, t);
+            t = t <= span.Until ? TimeOfImpact.First(ref gap, in span, t) : t;
         }
 
         return double.PositiveInfinity;
@@ -247,6 +250,9 @@ internal struct NearPassages
 {
     public ulong Nets;
     public ulong Goals;
+
+    /// <summary>The net in which the ball is deepest; −1 if it is in none.</summary>
+    public int Deepest;
 
     /// <summary>Adds a net or a goal; ignores a collider.</summary>
     public void Add(World world, int thing)

@@ -48,7 +48,9 @@ internal struct NetGap : IGap
     private readonly int _index;
     private readonly int _deepest;
     private readonly double _deepestSide;
-    private Separation _last;
+
+    /// <summary>The condition that was met last.</summary>
+    public Separation Last;
 
     /// <summary>Prepares the gap.</summary>
     /// <param name="world">The world.</param>
@@ -66,11 +68,8 @@ internal struct NetGap : IGap
         _deepest = deepest;
         _deepestSide = deepestSide;
         double side = world.Nets[index].PlaceInFrame(path.At(0)).Z < 0 ? -1.0 : 1.0;
-        _last = new Separation(world, SeparationKind.NetMet, index, 2, side, side);
+        Last = new Separation(world, SeparationKind.NetMet, index, 2, side, side);
     }
-
-    /// <summary>The condition that was met last.</summary>
-    public readonly Separation Last => _last;
 
     public bool IsClosed(double t, out double step)
     {
@@ -105,7 +104,7 @@ internal struct NetGap : IGap
         if (safe > step)
         {
             step = safe;
-            _last = condition;
+            Last = condition;
         }
     }
 }

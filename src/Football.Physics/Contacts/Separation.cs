@@ -30,7 +30,7 @@ internal readonly struct Separation(World world, SeparationKind what, int index,
     public double Side { get; } = side;
 
     /// <summary>Second derivative of the gap for unit acceleration: at the edge of a net, position and depth both contribute.</summary>
-    public double Bends => _deepest >= 0 ? 2.0 : 1.0;
+    public readonly double Bends = deepest >= 0 ? 2.0 : 1.0;
 
     /// <summary>Returns the value, m, and the rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)

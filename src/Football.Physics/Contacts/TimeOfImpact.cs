@@ -66,11 +66,11 @@ internal static class TimeOfImpact
 
 /// <summary>The span of a search along a path.</summary>
 /// <param name="length">Length of the path, s.</param>
-/// <param name="until">End of the search, s from the start of the path.</param>
+/// <param name="until">The time after which the search may end, s from the start of the path.</param>
 internal readonly struct SearchSpan(double length, double until)
 {
     /// <summary>End of the search, s from the start of the path.</summary>
-    public readonly double Until = until;
+    public readonly double Until = Math.Min(until, length);
 
     /// <summary>Minimum step, s, so that every search ends.</summary>
     public readonly double Shortest = Math.Max(ContactTolerances.ShortestShare * length, ContactTolerances.ShortestStep);

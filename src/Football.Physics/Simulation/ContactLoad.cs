@@ -35,7 +35,8 @@ internal sealed class ContactLoad
         // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. Other forces must bring the ball back within a millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? ContactTolerances.ShortestHop : ContactTolerances.ShortestPressedHop;
-        if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
+        bool isCarriedElsewhere = s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
+        if (!byWeight && isCarriedElsewhere && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
         {
             return true;
         }
@@ -77,9 +78,6 @@ internal sealed class ContactLoad
         double pieces = StabilityLimit.PiecesOfHop(collider.MaterialAt(s.Position).LargestRestitutionAt(0));
         return load > ContactTolerances.LeastLoad && 2.0 * off < pieces * h * load ? h * load : 0;
     }
-
-    private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
-        s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
 
     /// <summary>Returns the load N/m of a ball that keeps its carrier, m/s².</summary>
     /// <remarks>The carrier's friction may press it against the other object, such as a foot.</remarks>
