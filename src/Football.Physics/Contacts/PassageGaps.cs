@@ -40,49 +40,33 @@ internal readonly struct FallingGap(in Separation sought, in PathCubic path, dou
 }
 
 /// <summary>The gap to a net: closed within the ball's radius of the sheet, inside the rectangle.</summary>
-internal struct NetGap : IGap
+/// <param name="world">The world.</param>
+/// <param name="index">The net.</param>
+/// <param name="deepest">The net in which the ball is deepest; −1 if it is in none.</param>
+/// <param name="deepestSide">σ of that net.</param>
+/// <param name="path">The path.</param>
+/// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+internal struct NetGap(World world, int index, int deepest, double deepestSide, in PathCubic path, double acceleration) : IGap
 {
-    private readonly World _world;
-    private readonly PathCubic _path;
-    private readonly double _acceleration;
-    private readonly int _index;
-    private readonly int _deepest;
-    private readonly double _deepestSide;
+    private readonly PathCubic _path = path;
 
     /// <summary>The condition that was met last.</summary>
     public Separation Last;
-
-    /// <summary>Prepares the gap.</summary>
-    /// <param name="world">The world.</param>
-    /// <param name="index">The net.</param>
-    /// <param name="deepest">The net in which the ball is deepest; −1 if it is in none.</param>
-    /// <param name="deepestSide">σ of that net.</param>
-    /// <param name="path">The path.</param>
-    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
-    public NetGap(World world, int index, int deepest, double deepestSide, in PathCubic path, double acceleration)
-    {
-        _world = world;
-        _path = path;
-        _acceleration = acceleration;
-        _index = index;
-        _deepest = deepest;
-        _deepestSide = deepestSide;
-        double side = world.Nets[index].PlaceInFrame(path.At(0)).Z < 0 ? -1.0 : 1.0;
-        Last = new Separation(world, SeparationKind.NetMet, index, 2, side, side);
-    }
 
     public bool IsClosed(double t, out double step)
     {
         Vector3d at = _path.At(t);
         Vector3d velocity = _path.VelocityAt(t);
-        Vector3d place = _world.Nets[_index].PlaceInFrame(in at);
+        Vector3d place = world.Nets[index].PlaceInFrame(in at);
 
         // The side of entry is the side of the sheet from which the ball reaches the slab.
         double side = place.Z < 0 ? -1.0 : 1.0;
+        var plane = new Separation(world, SeparationKind.NetMet, index, 2, side, side);
+        Last = Last.What == SeparationKind.None ? plane : Last;
         step = 0;
-        Consider(new Separation(_world, SeparationKind.NetMet, _index, 2, place.Z, side), in at, in velocity, ref step);
-        Consider(new Separation(_world, SeparationKind.NetMet, _index, 0, place.X, side, _deepest, _deepestSide), in at, in velocity, ref step);
-        Consider(new Separation(_world, SeparationKind.NetMet, _index, 1, place.Y, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        Consider(in plane, in at, in velocity, ref step);
+        Consider(new Separation(world, SeparationKind.NetMet, index, 0, place.X, side, deepest, deepestSide), in at, in velocity, ref step);
+        Consider(new Separation(world, SeparationKind.NetMet, index, 1, place.Y, side, deepest, deepestSide), in at, in velocity, ref step);
         return step == 0;
     }
 
@@ -90,7 +74,7 @@ internal struct NetGap : IGap
     private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step)
     {
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
-        double bend = condition.Bends * _acceleration;
+        double bend = condition.Bends * acceleration;
 
         // If the gap is open, advance as far as it certainly stays open. If it is zero but not decreasing, advance until it could decrease. Otherwise, the step is zero.
         double safe = value > ContactTolerances.Touching ? TimeOfImpact.Safe(value, rate, bend)

@@ -33,7 +33,10 @@ internal static class TimeOfImpact
         double t = from;
         while (!gap.IsClosed(t, out double step))
         {
-            if (!span.Advance(ref t, step))
+            // A step that was lengthened to the minimum must not skip the end of the path, because the gap may have closed there.
+            double next = t + Math.Max(step, span.Shortest);
+            t = next > span.Until && t + step <= span.Until && t < span.Until ? span.Until : next;
+            if (!(t <= span.Until))
             {
                 return double.PositiveInfinity;
             }
@@ -74,17 +77,4 @@ internal readonly struct SearchSpan(double length, double until)
 
     /// <summary>Minimum step, s, so that every search ends.</summary>
     public readonly double Shortest = Math.Max(ContactTolerances.ShortestShare * length, ContactTolerances.ShortestStep);
-
-    /// <summary>Advances along the path. A step that was lengthened to the minimum stops at the end of the path.</summary>
-    /// <returns>False beyond the end.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Advance(ref double t, double step)
-    {
-        double next = t + Math.Max(step, Shortest);
-
-        // A lengthened step must not skip the end of the path, because the gap may have closed there.
-        next = next > Until && t + step <= Until && t < Until ? Until : next;
-        t = next;
-        return next <= Until;
-    }
 }

@@ -79,12 +79,6 @@ internal sealed class ClearFlight
     /// <summary>True if every step has to check for bodies or engine colliders.</summary>
     public bool LooksForBodies => _tube is not null || _world.Engine is not null;
 
-    /// <summary>True if the next step of flight reaches no object.</summary>
-    /// <param name="s">The ball, in the air.</param>
-    /// <param name="dt">Length of the step, s.</param>
-    /// <param name="airSpeedSquared">|u|², m²/s².</param>
-    public bool Holds(ref BallState s, double dt, double airSpeedSquared) => Holds(ref s, dt, new Push(airSpeedSquared, s.SpinRate, 1.0));
-
     /// <summary>True if the next step along the ground reaches no other object.</summary>
     /// <remarks>Friction also bends the path, and may convert spin to speed or speed to spin.</remarks>
     /// <param name="s">The ball, on the ground.</param>
@@ -100,11 +94,19 @@ internal sealed class ClearFlight
 
         double radius = _world.Ball.Radius;
         double most = airSpeed + (radius * spinRate);
-        return Holds(ref s, dt, new Push(most * most, spinRate + (airSpeed / radius), 1.0 + _friction));
+        return Holds(ref s, dt, most * most, spinRate + (airSpeed / radius), 1.0 + _friction);
     }
 
-    private bool Holds(ref BallState s, double dt, in Push push)
+    /// <summary>True if the next step reaches no object.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeedSquared">|u|², m²/s².</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    /// <param name="friction">Factor by which friction increases the acceleration: 1 in the air, 1 + μ on a surface.</param>
+    public bool Holds(ref BallState s, double dt, double airSpeedSquared, double spinRate, double friction = 1.0)
     {
+        var push = new Push(airSpeedSquared, spinRate, friction);
+
         // An engine may move its colliders between steps: query it in every step.
         if (_world.Engine is { } engine)
         {
@@ -232,7 +234,7 @@ internal sealed class ClearFlight
         /// <summary>|ω|, rad/s.</summary>
         public readonly double SpinRate = spinRate;
 
-        /// <summary>Factor by which friction increases the acceleration: 1 in the air, 1 + μ on a surface.</summary>
+        /// <summary>Factor by which friction increases the acceleration.</summary>
         public readonly double Friction = friction;
 
         /// <summary>|u|, m/s.</summary>

@@ -56,45 +56,47 @@ internal sealed class FlightPhase<TIntegrator>
             return;
         }
 
+        // RK4 does not speed up a velocity that turns by up to 2.8 rad. A net reacts within less than a step: use RK4 substeps.
+        bool spirals = run.Spirals && run.Whole != WholeStep.Ends;
         if (s.Nets != 0)
         {
-            // A net reacts within less than a step: use RK4 substeps.
-            Take<Substeps>(ref s, ref run, h, null);
+            TakeFreely<Substeps>(ref s, ref run, h);
         }
-        else if (run.Spirals && run.Whole != WholeStep.Ends)
+        else if (hasAxis)
         {
-            // RK4 does not speed up a velocity that turns by up to 2.8 rad.
-            Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
+            TakeAlongAxis(ref s, ref run, h, spirals ? _classical : _flight);
+        }
+        else if (spirals)
+        {
+            TakeFreely<ClassicalRungeKutta>(ref s, ref run, h);
         }
         else
         {
-            Take<TIntegrator>(ref s, ref run, h, hasAxis ? _flight : null);
+            TakeFreely<TIntegrator>(ref s, ref run, h);
         }
     }
 
-    /// <summary>Takes a piece with one integrator: along a constant spin axis if a flight for that is given, otherwise with the full spin
-    /// vector.</summary>
-    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
+    /// <summary>Takes a piece with a constant spin axis.</summary>
+    private void TakeAlongAxis(ref BallState s, ref StepRun run, double h, IFlight flight)
+    {
+        Integrate(in s, ref run, h, flight, out FlightSweep sweep);
+        if (Shorten(ref sweep, ref s, ref run, flight.Order, out FlightEnd end))
+        {
+            Move(ref s, ref run, ref sweep, flight.Order, in end);
+            Respond(ref s, ref run, in end);
+        }
+    }
+
+    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    private void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IIntegrator
     {
+        Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
         int order = default(TMethod).Order;
-        if (flight is null)
+        if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
         {
-            Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
-            if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
-            {
-                Move(ref s, ref run, ref sweep, order, in end);
-                Respond(ref s, ref run, in end);
-            }
-        }
-        else
-        {
-            Integrate(in s, ref run, h, flight, out FlightSweep<TMethod> sweep);
-            if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
-            {
-                Move(ref s, ref run, ref sweep, order, in end);
-                Respond(ref s, ref run, in end);
-            }
+            Move(ref s, ref run, ref sweep, order, in end);
+            Respond(ref s, ref run, in end);
         }
     }
 
@@ -140,10 +142,9 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Integrates a piece with a constant spin axis, unless the step already holds it.</summary>
-    private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, IFlight flight, out FlightSweep<TMethod> sweep)
-        where TMethod : struct, IIntegrator
+    private void Integrate(in BallState s, ref StepRun run, double h, IFlight flight, out FlightSweep sweep)
     {
-        sweep = new FlightSweep<TMethod>(_around, flight, in s);
+        sweep = new FlightSweep(_around, flight, in s);
         if (run.Whole == WholeStep.Ends)
         {
             sweep.Taken = run.Taken;
@@ -155,7 +156,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>Integrates a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    /// <summary>Integrates a piece with the full spin vector.</summary>
     private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, out MotionSweep<FlightSystem, TMethod> sweep)
         where TMethod : struct, IIntegrator
     {
@@ -172,8 +173,7 @@ internal sealed class FlightPhase<TIntegrator>
 
     /// <summary>Ends a piece with a constant spin axis at the first event within it.</summary>
     /// <returns>False if the piece must be repeated on another branch of the drag law.</returns>
-    private bool Shorten<TMethod>(ref FlightSweep<TMethod> sweep, ref BallState s, ref StepRun run, int order, out FlightEnd end)
-        where TMethod : struct, IIntegrator
+    private bool Shorten(ref FlightSweep sweep, ref BallState s, ref StepRun run, int order, out FlightEnd end)
     {
         end = new FlightEnd { Branch = s.Branch };
         bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out end.Branch);
@@ -303,13 +303,12 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Ends a piece at the time when the spin reaches zero: decay never reverses a spin.</summary>
-    private static void EndSpin<TMethod>(ref FlightSweep<TMethod> sweep, double spinRate)
-        where TMethod : struct, IIntegrator
+    private static void EndSpin(ref FlightSweep sweep, double spinRate)
     {
         // Start with a secant estimate, then repeat the step until the spin at its end is zero.
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        EventLocator.Locate(ref sweep, new SpinLeft<TMethod>(spinRate), tau);
-        sweep.EndSpin();
+        EventLocator.Locate(ref sweep, new SpinLeft(spinRate), tau);
+        sweep.Taken.SpinRate = 0;
     }
 
     /// <summary>Returns the longest piece that stability allows, s.</summary>
@@ -357,13 +356,12 @@ internal struct FlightEnd
 
 /// <summary>The spin left at the end of a flight with a constant axis.</summary>
 /// <param name="start">Spin at the start, rad/s.</param>
-internal readonly struct SpinLeft<TIntegrator>(double start) : IEventFunction<FlightSweep<TIntegrator>>
-    where TIntegrator : struct, IIntegrator
+internal readonly struct SpinLeft(double start) : IEventFunction<FlightSweep>
 {
     /// <summary>A spin below this counts as zero, rad/s.</summary>
     private const double Vanishing = 1e-300;
 
-    public bool Evaluate(ref FlightSweep<TIntegrator> sweep, double tau, out double value, out double correction)
+    public bool Evaluate(ref FlightSweep sweep, double tau, out double value, out double correction)
     {
         value = sweep.Taken.SpinRate;
 

@@ -88,6 +88,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override PilePhase Pile { get; }
 
+    public int Order { get; } = default(TIntegrator).Order;
+
+    public int Stages { get; } = default(TIntegrator).Stages;
+
     /// <summary>The stability limit of a piece.</summary>
     protected StabilityLimit Limit { get; }
 
@@ -155,7 +159,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <summary>True if a step of flight reaches no object other than level ground. |u|² may be an upper bound.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
-        _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
+        _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared, s.SpinRate);
 
     /// <summary>Reports a whole step of flight to the observers.</summary>
     /// <remarks>The ball is at its end; the other arguments describe its start.</remarks>
@@ -200,9 +204,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 
     /// <summary>Takes a step piece by piece.</summary>
-    /// <remarks>
-    /// If a custom force throws or gives a result out of range, the state and the log are restored.
-    /// </remarks>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="log">Receives events and counts.</param>
@@ -211,25 +212,28 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void TakePieces(ref BallState s, double dt, StepLog log, WholeStep whole, in FlightStep taken)
     {
-        if (!_air.Varies)
+        if (_air.Varies)
         {
-            if (s.Motion == MotionState.Rest && _rests is not null)
-            {
-                TakeRest(ref s, dt, log);
-            }
-            else
-            {
-                TakeAll(ref s, dt, log, whole, in taken);
-            }
-
-            return;
+            TakeOrRestore(ref s, dt, log);
         }
+        else if (s.Motion == MotionState.Rest && _rests is not null)
+        {
+            TakeRest(ref s, dt, log);
+        }
+        else
+        {
+            TakeAll(ref s, dt, log, whole, in taken);
+        }
+    }
 
+    /// <summary>Steps a ball in air that varies. If a custom force throws or gives a result out of range, the state and the log are restored.</summary>
+    private void TakeOrRestore(ref BallState s, double dt, StepLog log)
+    {
         BallState before = s;
         StepLogMark mark = log.Mark();
         try
         {
-            TakeAll(ref s, dt, log, WholeStep.NotTaken, in taken);
+            TakeAll(ref s, dt, log, WholeStep.NotTaken, default);
             OwnForces.CheckOutcome(in s);
         }
         catch

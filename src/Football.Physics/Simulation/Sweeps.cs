@@ -10,8 +10,7 @@ namespace FootballPhysics.Simulation;
 /// <param name="around">The forces on the ball.</param>
 /// <param name="flight">Takes the steps.</param>
 /// <param name="from">The ball at the start.</param>
-internal struct FlightSweep<TIntegrator>(Surroundings around, IFlight flight, in BallState from) : IFlightSweep
-    where TIntegrator : struct, IIntegrator
+internal struct FlightSweep(Surroundings around, IFlight flight, in BallState from) : IFlightSweep
 {
     /// <summary>The result of the step.</summary>
     public FlightStep Taken;
@@ -43,7 +42,7 @@ internal struct FlightSweep<TIntegrator>(Surroundings around, IFlight flight, in
     {
         FlightMotion motion = _from.Flight;
         _flight.Fly(in _from, ref motion, in _around.Wind, _from.Branch, _around.Upward, h, out Taken);
-        Evaluations += default(TIntegrator).Stages;
+        Evaluations += _flight.Stages;
         Length = h;
     }
 
@@ -68,9 +67,6 @@ internal struct FlightSweep<TIntegrator>(Surroundings around, IFlight flight, in
         s.Angle += Taken.Turn;
         s.AirDistance += Taken.AirDistance;
     }
-
-    /// <summary>Sets the spin at the end of the step to zero.</summary>
-    public void EndSpin() => Taken.SpinRate = 0;
 
     public DragJump EndJumpRate()
     {
