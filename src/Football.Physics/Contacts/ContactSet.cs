@@ -70,7 +70,7 @@ internal static class ContactSet
 
         // Broad phase by bounding boxes, then the exact distance.
         var near = NearThings.At(world, s.Position, s.Time, reach);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             Collider collider = world.Colliders[i];
             ShapePoint at = collider.At(s.Position, s.Time);

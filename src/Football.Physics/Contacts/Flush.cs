@@ -30,7 +30,7 @@ internal static class Flush
         Vector3d relative = velocity - next.SurfaceVelocity(position - (r * at.Normal), at.Normal, time);
         double closing = -Vector3d.Dot(in relative, at.Normal);
         var near = NearThings.At(world, in position, time);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             if (i == thing)
             {
@@ -146,7 +146,7 @@ internal static class Flush
         double depth = -on.Distance;
         bool isFlat = on.IsFlat;
         var near = NearThings.At(world, in position, time);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             if (i == carrier)
             {

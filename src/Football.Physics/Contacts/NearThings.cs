@@ -1,24 +1,26 @@
 namespace FootballPhysics.Contacts;
 
-/// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
+/// <summary>Enumerates the colliders whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
 /// <remarks>It includes the engine colliders that the last cast found.</remarks>
 /// <param name="world">The world.</param>
 /// <param name="box">The box.</param>
 /// <param name="time">The time, s.</param>
 /// <param name="duration">The duration, s.</param>
-internal struct NearThings(World world, in Bounds3d box, double time, double duration)
+/// <param name="withPassages">Whether to include nets and goals.</param>
+internal struct NearThings(World world, in Bounds3d box, double time, double duration, bool withPassages = false)
 {
     private readonly World _world = world;
     private readonly BroadPhase _objects = world.BroadPhase;
     private readonly Bounds3d _box = box;
     private readonly double _time = time;
     private readonly double _duration = duration;
+    private readonly bool _withPassages = withPassages;
     private int _unbounded;
     private int _node;
     private int _moving;
     private int _engine;
 
-    /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m; by default, those that may touch it.</summary>
+    /// <summary>Enumerates the colliders that may be within a distance of a ball at a position, m; by default, those that may touch it.</summary>
     public static NearThings At(World world, in Vector3d position, double time, double distance = ContactTolerances.Touching)
     {
         world.Engine?.LookAt(in position, time, distance);
@@ -37,7 +39,7 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
         Vector3d side = default;
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
         NearThings near = At(world, s.Position, s.Time);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             if (i == carrier)
             {
@@ -76,22 +78,6 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
             : collider < otherCollider;
     }
 
-    /// <summary>Advances to the next collider.</summary>
-    /// <param name="collider">Index of the collider.</param>
-    /// <returns>False at the end.</returns>
-    public bool NextCollider(out int collider)
-    {
-        while (Next(out collider))
-        {
-            if (!_world.IsPassage(collider))
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
     /// <summary>Advances to the next object.</summary>
     /// <param name="thing">Index of the object: colliders first, then nets, then goals.</param>
     /// <returns>False at the end.</returns>
@@ -106,10 +92,13 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
             }
         }
 
-        if (_objects.Tree.Next(in _box, ref _node, out int leaf))
+        while (_objects.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _objects.Leaves[leaf];
-            return true;
+            if (_withPassages || thing < _world.FirstPassage)
+            {
+                return true;
+            }
         }
 
         while (_moving < _objects.Moving.Length)

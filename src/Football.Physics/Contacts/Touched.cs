@@ -58,7 +58,7 @@ internal readonly unsafe struct Touched
 
         int count = 0;
         double radius = world.Ball.Radius;
-        var near = new NearThings(world, new Bounds3d(s.Position, s.Position).Expanded(radius + reach), s.Time, dt);
+        var near = new NearThings(world, new Bounds3d(s.Position, s.Position).Expanded(radius + reach), s.Time, dt, withPassages: true);
         while (near.Next(out int thing))
         {
             if (world.IsPassage(thing))

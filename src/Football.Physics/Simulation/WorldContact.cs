@@ -199,7 +199,7 @@ internal sealed partial class WorldContact
         // If several surfaces could support the ball, use the first one in scene order.
         int first = int.MaxValue;
         var near = NearThings.At(_world, s.Position, s.Time);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             first = i < first && TakesUp(in s, i, out _) ? i : first;
         }

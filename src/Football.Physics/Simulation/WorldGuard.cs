@@ -32,7 +32,7 @@ internal sealed class WorldGuard
         int first = int.MaxValue;
         bool takesUp = false;
         var near = NearThings.At(_world, s.Position, s.Time);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             // Use the first collider in scene order, regardless of the traversal order. Between two bodies, the contact normals decide.
             bool byside = first != int.MaxValue && _world.IsByside(i, first);
@@ -368,7 +368,7 @@ internal sealed class NetGuard
         var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
         double r = _world.Ball.Radius;
         var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             // Planes have no bounding box, so check their distance here.
             bool isFar = _world.Colliders[i].StandingPlane is { } plane

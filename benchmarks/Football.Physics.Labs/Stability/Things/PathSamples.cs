@@ -22,7 +22,7 @@ internal sealed class PathSamples(World world) : PieceObserver
         Vector3d middle = 0.5 * (piece.StartPosition + piece.EndPosition);
         double around = (0.5 * (piece.EndPosition - piece.StartPosition).Length) + (0.25 * piece.Length * (piece.EndVelocity - piece.StartVelocity).Length) + 0.5;
         var near = new NearThings(world, new Bounds3d(in middle, in middle).Expanded(around), piece.Time, piece.Length);
-        while (near.NextCollider(out int i))
+        while (near.Next(out int i))
         {
             Collider collider = world.Colliders[i];
             if (collider.Moves ? piece.Motion == MotionState.Pinned : collider.At(in middle).Distance > around)

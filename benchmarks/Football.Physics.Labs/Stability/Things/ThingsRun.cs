@@ -109,7 +109,7 @@ internal sealed class ThingsRun
         double inMovers = 0;
         double inOthers = 0;
         var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Expanded(_world.Ball.Radius + Beside), _state.Time, 0);
-        while (things.NextCollider(out int i))
+        while (things.Next(out int i))
         {
             Collider collider = _world.Colliders[i];
             double gap = collider.At(_state.Position, _state.Time).Distance - _world.Ball.Radius;
