@@ -47,16 +47,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
             F vw = F.Plus(w, ahead, b);
             if (law.Acts)
             {
-                F across = law.NeedsSpinAcross
-                    ? F.Squares(F.Minus(ny, vz, nz, vy), F.Minus(nz, vx, nx, vz), F.Minus(nx, vy, ny, vx))
-                    : default;
-                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), across, vw, out F drag, out F lift, out F decay);
-
-                // L (ω̂ × u) − D u + g
-                ax = F.Minus(lift, F.Minus(ny, vz, nz, vy), drag, vx) + gx;
-                ay = F.Minus(lift, F.Minus(nz, vx, nx, vz), drag, vy) + gy;
-                az = F.Minus(lift, F.Minus(nx, vy, ny, vx), drag, vz);
-                b = F.Select(spins, default(F) - decay, default);
+                Accelerate(ref law, in step, branch, nx, ny, nz, vx, vy, vz, vw, gx, gy, spins, out ax, out ay, out az, out b);
             }
             else
             {
@@ -82,23 +73,10 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 
         if (default(TMethod).Stages == 4)
         {
-            // (k1 + 2 k2 + 2 k3 + k4)/6 = m + (k1 + k4 − 2 m)/6 and (k1 + k2 + k3)/3 = m + (k1 − m)/3 with m = (k2 + k3)/2, so the inexact factors
-            // 1/3 and 1/6 multiply only small numbers. The sum of the velocities, u + h/2 (k1 + k2 + k3)/3, is rounded separately for the same reason.
-            F halves = F.Of(0.5f);
-            F third = F.Of(1f / 3f);
-            F sixth = F.Of(1f / 6f);
-            F squared = h * half;
-            F mean = halves * middleX;
-            dux = h * F.Plus(mean, sixth, (firstX + ax) - middleX);
-            dpx = F.Plus(h * ux, squared, F.Plus(mean, third, firstX - mean));
-            mean = halves * middleY;
-            duy = h * F.Plus(mean, sixth, (firstY + ay) - middleY);
-            dpy = F.Plus(h * uy, squared, F.Plus(mean, third, firstY - mean));
-            mean = halves * middleZ;
-            duz = h * F.Plus(mean, sixth, (firstZ + az) - middleZ);
-            dpz = F.Plus(h * uz, squared, F.Plus(mean, third, firstZ - mean));
-            mean = halves * middleB;
-            dw = h * F.Plus(mean, sixth, (firstB + b) - middleB);
+            Weigh(h, half, ux, firstX, middleX, ax, out dux, out dpx);
+            Weigh(h, half, uy, firstY, middleY, ay, out duy, out dpy);
+            Weigh(h, half, uz, firstZ, middleZ, az, out duz, out dpz);
+            Weigh(h, half, w, firstB, middleB, b, out dw, out _);
         }
         else
         {
@@ -110,5 +88,36 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
             dpy = h * vy;
             dpz = h * vz;
         }
+    }
+    /// <summary>Computes the acceleration, m/s², and the angular acceleration about the axis of the spin, rad/s², of one stage.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Accelerate<TBranch>(
+        ref TLaw law, in LaneSpin<F> step, TBranch branch, F nx, F ny, F nz, F vx, F vy, F vz, F w, F gx, F gy, F spins,
+        out F ax, out F ay, out F az, out F b)
+        where TBranch : struct, ILaneBranch<F>
+    {
+        F across = law.NeedsSpinAcross
+            ? F.Squares(F.Minus(ny, vz, nz, vy), F.Minus(nz, vx, nx, vz), F.Minus(nx, vy, ny, vx))
+            : default;
+        law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), across, w, out F drag, out F lift, out F decay);
+
+        // L (ω̂ × u) − D u + g
+        ax = F.Minus(lift, F.Minus(ny, vz, nz, vy), drag, vx) + gx;
+        ay = F.Minus(lift, F.Minus(nz, vx, nx, vz), drag, vy) + gy;
+        az = F.Minus(lift, F.Minus(nx, vy, ny, vx), drag, vz);
+        b = F.Select(spins, default(F) - decay, default);
+    }
+
+    /// <summary>Computes the change of one component of the velocity or of the spin, and of the path, from the four stages of the Runge–Kutta method.</summary>
+    /// <remarks>
+    /// (k1 + 2 k2 + 2 k3 + k4)/6 = m + (k1 + k4 − 2 m)/6 and (k1 + k2 + k3)/3 = m + (k1 − m)/3 with m = (k2 + k3)/2, so the inexact factors
+    /// 1/3 and 1/6 multiply only small numbers. The sum of the velocities, u + h/2 (k1 + k2 + k3)/3, is rounded separately for the same reason.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Weigh(F h, F half, F u, F first, F middle, F last, out F du, out F dp)
+    {
+        F mean = F.Of(0.5f) * middle;
+        du = h * F.Plus(mean, F.Of(1f / 6f), (first + last) - middle);
+        dp = F.Plus(h * u, h * half, F.Plus(mean, F.Of(1f / 3f), first - mean));
     }
 }

@@ -70,7 +70,7 @@ internal sealed partial class ContactSetParts
             var path = PathCubic.Line(s.Position, in v, h);
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
             BallState before = s;
-            Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
+            Advance(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
             if (passes)
             {
                 _guard.Meet(ref s, in passed, ref run);

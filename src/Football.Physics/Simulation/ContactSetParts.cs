@@ -68,106 +68,131 @@ internal sealed partial class ContactSetParts
 
             // Warm start: a contact that existed in the previous part starts with the impulses from that part.
             ContactSet.Continue(set, last.Slice(0, before));
-            double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-            bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);
-
-            // Predict v + h a from the forces at the start. These impulses only determine the state in which the forces at the end are evaluated.
-            var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates start = Free(in s, s.Time, in from, h);
-            Vector3d v = from.Velocity + (h * start.Acceleration);
-            Vector3d w = from.Spin + (h * start.SpinAcceleration);
-            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactTolerances.Foreseen);
+            var next = new SetPart
+            {
+                From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance),
+                Length = run.Left / Math.Max(1.0, Math.Round(run.Left / part)),
+            };
+            next.Turns = TurningNormals.Shorten(_world, in s, set, ref run, ref next.Length);
+            Predict(in s, set, ref next);
             run.Log.Evaluations++;
             LeaveOut(ref set, run.Log);
 
             // At most one contact has a load, and no loaded surface moves: leave the ball to the single-surface phase.
-            if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
+            if (Bearers(set, next.Length, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
             // The ball has no room if no impulses satisfy all contacts, or if the resulting speed is too high. Only moving objects squeeze the ball.
-            if (SolvedSet.Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
+            if (SolvedSet.Moves(set) && (!next.Solved || _contact.IsTooFast(ref s, set, in next.Velocity)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
             }
 
             taken = true;
-            if (Rests(ref s, set, bearer, in start, ref run))
+            if (Rests(ref s, set, bearer, in next.Start, ref run))
             {
                 return true;
             }
 
-            bool stays = v.Length + (_around.Radius * w.Length) <= ContactTolerances.Standstill && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= ContactTolerances.Standstill;
-            if (stays)
+            if (next.IsStill(_around.Radius))
             {
-                // The ball stands still and no force moves it: take the rest of the step at once.
-                h = run.Left;
+                // No force moves the ball: take the rest of the step at once.
+                next.Length = run.Left;
             }
             else
             {
-                // Correct the prediction with the mean of the forces at both ends.
-                var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
-                MotionRates there = Free(in s, s.Time + h, in end, h);
-                v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
-                w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
-                var unheld = new Motion(from.Position, in v, in w);
-                solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
-                SolvedSet.Correct(set, _world.Ball, h, solved, in unheld, ref v, ref w);
+                Correct(in s, set, ref next);
                 run.Log.Evaluations++;
             }
 
-            // Search the path up to the end of the part or the first contact.
-            Vector3d mean = 0.5 * (from.Velocity + v);
-            var path = PathCubic.Line(s.Position, in mean, h);
-            double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, out Separation met, set);
-            bool meets = at <= h;
-            double length = meets ? at : h;
-
-            // Do not count a part that an impact or a turning normal cut short: the remaining parts must cover the rest.
-            run.Parts += meets || turns ? 0 : 1;
-            run.Turns += turns ? 1 : 0;
-            double share = length / h;
-
-            // Within a part, v and ω are linear in time: interpolate a shortened part.
-            BallState at0 = s;
-            v = from.Velocity + (share * (v - from.Velocity));
-            w = from.Spin + (share * (w - from.Spin));
-            Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
-
-            bool passes = meets && met.What is not (SeparationKind.Contact or SeparationKind.Seam);
-            if (passes)
-            {
-                _guard.Meet(ref s, in met, ref run);
-            }
-
-            // A straight path leaves a curved surface, so project the ball back onto its contacts. The projection may also enter nets and goals.
-            Vector3d moved = s.Position;
-            Hold(ref s, set);
-            SolvedSet.PayForLift(ref s, set, _world.Ball, _around.Weight, in moved);
-            _displacement.Follow(ref s, in moved, ref run);
-            _shown.Show(in at0, in s, at0.Velocity, s.Velocity, set, ref run);
+            Move(ref s, ref run, set, ref next);
             Name(ref s, set, ref named, ref run);
             last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);
             before = set.Length;
-
-            // A contact on the path, or one that closes at the end, ends this phase. The new state decides which phase continues.
-            if (meets && !run.Log.Halted)
-            {
-                if (!passes)
-                {
-                    _guard.Meet(ref s, in met, ref run);
-                }
-
-                return true;
-            }
-
-            if (_guard.HitsAtOnce(ref s, ref run))
+            if (EndsPhase(ref s, ref run, in next))
             {
                 return true;
             }
+        }
+
+        return true;
+    }
+
+    /// <summary>Predicts the motion at the end of a part from the forces at its start.</summary>
+    /// <remarks>The impulses only determine the state in which <see cref="Correct"/> evaluates the forces at the end.</remarks>
+    private void Predict(in BallState s, scoped Span<Contact> set, ref SetPart part)
+    {
+        double h = part.Length;
+        part.Start = Free(in s, s.Time, in part.From, h);
+        part.Velocity = part.From.Velocity + (h * part.Start.Acceleration);
+        part.Spin = part.From.Spin + (h * part.Start.SpinAcceleration);
+        part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin, ContactTolerances.Foreseen);
+    }
+
+    /// <summary>Corrects the predicted motion with the mean of the forces at both ends.</summary>
+    private void Correct(in BallState s, scoped Span<Contact> set, ref SetPart part)
+    {
+        double h = part.Length;
+        ref readonly Motion from = ref part.From;
+        var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + part.Velocity)), in part.Velocity, in part.Spin, s.AirDistance);
+        MotionRates there = Free(in s, s.Time + h, in end, h);
+        part.Velocity = from.Velocity + ((0.5 * h) * (part.Start.Acceleration + there.Acceleration));
+        part.Spin = from.Spin + ((0.5 * h) * (part.Start.SpinAcceleration + there.SpinAcceleration));
+        var unheld = new Motion(from.Position, in part.Velocity, in part.Spin);
+        part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
+        SolvedSet.Correct(set, _world.Ball, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
+    }
+
+    /// <summary>Moves the ball to the end of a part or to the first contact, then projects it onto its contacts.</summary>
+    private void Move(ref BallState s, ref StepRun run, scoped Span<Contact> set, ref SetPart part)
+    {
+        ref readonly Motion from = ref part.From;
+        double h = part.Length;
+        Vector3d mean = 0.5 * (from.Velocity + part.Velocity);
+        var path = PathCubic.Line(s.Position, in mean, h);
+        double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, out part.Met, set);
+        part.Meets = at <= h;
+
+        // Do not count a part that an impact or a turning normal cut short: the remaining parts must cover the rest.
+        run.Parts += part.Meets || part.Turns ? 0 : 1;
+        run.Turns += part.Turns ? 1 : 0;
+
+        // Within a part, v and ω are linear in time: interpolate a shortened part.
+        double length = part.Meets ? at : h;
+        double share = length / h;
+        BallState before = s;
+        Vector3d v = from.Velocity + (share * (part.Velocity - from.Velocity));
+        Vector3d w = from.Spin + (share * (part.Spin - from.Spin));
+        Advance(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in part.Start, ref run);
+        if (part.PassesBorder)
+        {
+            _guard.Meet(ref s, in part.Met, ref run);
+        }
+
+        // A straight path leaves a curved surface, so project the ball back onto its contacts. The projection may also enter nets and goals.
+        Vector3d moved = s.Position;
+        Hold(ref s, set);
+        SolvedSet.PayForLift(ref s, set, _world.Ball, _around.Weight, in moved);
+        _displacement.Follow(ref s, in moved, ref run);
+        _shown.Show(in before, in s, before.Velocity, s.Velocity, set, ref run);
+    }
+
+    /// <summary>Handles the contact that ends a part, on the path or at its end. The new state decides which phase continues.</summary>
+    /// <returns>False if there is none.</returns>
+    private bool EndsPhase(ref BallState s, ref StepRun run, in SetPart part)
+    {
+        if (!part.Meets || run.Log.Halted)
+        {
+            return _guard.HitsAtOnce(ref s, ref run);
+        }
+
+        if (!part.PassesBorder)
+        {
+            _guard.Meet(ref s, in part.Met, ref run);
         }
 
         return true;
@@ -262,7 +287,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Moves the ball and advances the clock.</summary>
-    private static void Move(ref BallState s, double h, in Vector3d mean, in Vector3d v, in Vector3d w, in MotionRates free, ref StepRun run)
+    private static void Advance(ref BallState s, double h, in Vector3d mean, in Vector3d v, in Vector3d w, in MotionRates free, ref StepRun run)
     {
         s.BaseOrientation = s.BaseOrientation.Turned((0.5 * h) * (s.Spin + w));
         s.Position += h * mean;
@@ -323,4 +348,42 @@ internal sealed partial class ContactSetParts
         set = ContactSet.LeaveOut(set);
         log.LeftOut += before - set.Length;
     }
+}
+
+/// <summary>A part of a step on several surfaces.</summary>
+internal struct SetPart
+{
+    /// <summary>The motion at the start.</summary>
+    public Motion From;
+
+    /// <summary>The forces at the start, without contact forces.</summary>
+    public MotionRates Start;
+
+    /// <summary>The proposed length, s.</summary>
+    public double Length;
+
+    /// <summary>The velocity at the end of that length, m/s.</summary>
+    public Vector3d Velocity;
+
+    /// <summary>The spin at the end of that length, rad/s.</summary>
+    public Vector3d Spin;
+
+    /// <summary>True if the impulses satisfy all contacts.</summary>
+    public bool Solved;
+
+    /// <summary>True if the part is short because a normal turns.</summary>
+    public bool Turns;
+
+    /// <summary>True if a contact, a border or a zone ends the part.</summary>
+    public bool Meets;
+
+    /// <summary>What ends the part, if anything does.</summary>
+    public Separation Met;
+
+    /// <summary>True if the part ends where the ball passes through something without an impact.</summary>
+    public readonly bool PassesBorder => Meets && Met.What is not (SeparationKind.Contact or SeparationKind.Seam);
+
+    /// <summary>True if the ball stands still at both ends.</summary>
+    public readonly bool IsStill(double radius) =>
+        Velocity.Length + (radius * Spin.Length) <= ContactTolerances.Standstill && From.Velocity.Length + (radius * From.Spin.Length) <= ContactTolerances.Standstill;
 }

@@ -35,11 +35,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Maximum number of checks per step of whether friction holds a ball that rolling resistance cannot hold.</summary>
     private const int MostGrips = 4;
 
-    /// <summary>Number of iterations that remove slips and normal speeds, one contact after the other.</summary>
-    /// <remarks>Further iterations run only if the velocity still changes by <see cref="ContactTolerances.SlipRemoval"/>.</remarks>
-    private const int FewStickRounds = 4;
-    private const int MostStickRounds = 128;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
@@ -172,7 +167,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return SetMotion.Changed;
         }
 
-        Stick(in system, ref s);
+        StuckMotion.Project(_world, in system, ref s);
         var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Unmoved))
         {
@@ -287,76 +282,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         run.Log.Evaluations += evaluations;
         s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
         return holds;
-    }
-
-    /// <summary>Removes the remaining slip of sticking contacts, and the remaining normal speed of loaded ones.</summary>
-    /// <remarks>Both are below the thresholds of the modes.</remarks>
-    private void Stick(in ContactSystem system, ref BallState s)
-    {
-        double r = _world.Ball.Radius;
-        double grip = _world.Ball.InertiaFactor / (1.0 + _world.Ball.InertiaFactor);
-        Vector3d v = s.Velocity;
-        Vector3d w = s.SpinAxis;
-        double change = double.PositiveInfinity;
-        for (int round = 0; round < MostStickRounds && change > (round < FewStickRounds ? ContactTolerances.ProjectionError : ContactTolerances.SlipRemoval); round++)
-        {
-            change = 0;
-            for (int i = 0; i < system.Count; i++)
-            {
-                ref readonly SetContact contact = ref system.Contacts[i];
-                if (!contact.Bears)
-                {
-                    // The corrections for the other contacts must not push the ball into a stationary surface.
-                    double closing = Vector3d.Dot(in v, contact.Normal);
-                    bool enters = closing < -ContactTolerances.Approaching && !_world.Colliders[contact.Collider].Moves;
-                    v -= enters ? closing * contact.Normal : Vector3d.Zero;
-                    change = enters ? Math.Max(change, -closing) : change;
-                    continue;
-                }
-
-                // A force F along the surface changes the spin by −n × F/(α r), so removing the slip takes α/(1 + α) of it.
-                Vector3d n = contact.Normal;
-                Collider collider = _world.Colliders[contact.Collider];
-                double off = Vector3d.Dot(v - collider.ShapeVelocity(s.Position - (r * n), s.Time), in n);
-                v -= off * n;
-                change = Math.Max(change, Math.Abs(off));
-                if (contact.Sticks)
-                {
-                    Vector3d slip = Slip.Of(v - contact.Surface, in w, in n, r);
-                    Vector3d push = -grip * slip;
-                    v += push;
-                    w -= 1.0 / (_world.Ball.InertiaFactor * r) * Vector3d.Cross(in n, in push);
-                    change = Math.Max(change, slip.Length);
-                }
-            }
-        }
-
-        // With moving objects, no velocity may satisfy all contacts. If so, only keep the ball out of stationary objects.
-        for (int i = 0; i < system.Count && change > ContactTolerances.SlipRemoval; i++)
-        {
-            ref readonly SetContact contact = ref system.Contacts[i];
-            double off = Vector3d.Dot(in v, contact.Normal);
-            off = contact.Bears ? off : Math.Min(0, off);
-            v -= _world.Colliders[contact.Collider].Moves ? Vector3d.Zero : off * contact.Normal;
-        }
-
-        s.Velocity = v;
-        s.SpinAxis = w;
-        if (system.HoldsSpin)
-        {
-            ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
-            s.SpinAxis = w - ((Vector3d.Dot(in w, bearer.Normal) - bearer.CarrierSpin) * bearer.Normal);
-        }
-
-        if (system.Pinned)
-        {
-            // Remove the remaining velocity, so that a pinned ball does not creep.
-            ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
-            Vector3d material = _world.Colliders[bearer.Collider].MaterialVelocity(s.Position, s.Time);
-            double about = Vector3d.Dot(s.SpinAxis, bearer.Normal);
-            s.Velocity = material;
-            s.SpinAxis = Slip.RollingSpin(material - bearer.Surface, about, bearer.Normal, r);
-        }
     }
 
     /// <summary>Returns the longest piece that stability, nets, turning slips and turning normals allow, s.</summary>

@@ -64,8 +64,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double vy = s.Flight.Velocity.Y;
         double vz = s.Flight.Velocity.Z;
         double spin = s.Flight.SpinRate;
-        Vector3d position = s.Position;
-        double y = position.Y;
+        double y = s.Position.Y;
         DragBranch branch = s.Branch;
 
         // Leave a slide along the jump, and a descent at contact height, to the piecewise method.
@@ -113,16 +112,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return Fall(ref s, dt, end, log);
         }
 
-        // Take the step with the fast form of the laws if it covers this range, otherwise with the full form.
-        if (covered)
-        {
-            _integrator.Fly(ref _air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
-        }
-        else
-        {
-            _integrator.Fly(ref Around.Air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
-        }
-
+        Fly(covered, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
         log.Evaluations += _integrator.Stages;
 
         // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump in the drag law.
@@ -138,15 +128,9 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
 
         // There is no event: move the ball.
-        s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
-        s.Angle += step.Turn;
-        if (_air.HasField)
-        {
-            s.AirDistance += step.AirDistance;
-        }
-
+        Vector3d position = s.Position;
         double time = s.Time;
-        s.Time = end;
+        Move(ref s, height, dt, end, in step);
         log.Steps++;
         if (log.IsWatched)
         {
@@ -156,9 +140,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         return WholeStep.Done;
     }
 
-    public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
+        Fly(_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h), in start, ref motion, in wind, branch, upward, h, out step);
+
+    /// <summary>Integrates a step with the fast form of the laws if it covers this range, otherwise with the full form.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Fly(
+        bool covered, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
     {
-        if (_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h))
+        if (covered)
         {
             _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
         }
@@ -180,6 +170,20 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         {
             base.EndAcceleration(in s, h, out acceleration);
         }
+    }
+
+    /// <summary>Sets the position, the angle and the clock at the end of a step without an event.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Move(ref BallState s, double height, double dt, double end, in FlightStep step)
+    {
+        s.Position = new Vector3d(s.Position.X + (step.Path.X + (dt * _wind.X)), height, s.Position.Z + (step.Path.Z + (dt * _wind.Z)));
+        s.Angle += step.Turn;
+        if (_air.HasField)
+        {
+            s.AirDistance += step.AirDistance;
+        }
+
+        s.Time = end;
     }
 
     /// <summary>True if a step may have crossed the jump in the drag law.</summary>

@@ -3,9 +3,9 @@ namespace FootballPhysics.Tests.Architecture;
 /// <summary>What the house rules ask of the text of a source tree, and where it is broken.</summary>
 internal static class HouseRules
 {
-    public const int LongestFile = 468;
+    public const int LongestFile = 450;
     public const int LongestType = 600;
-    public const int LongestMethod = 125;
+    public const int LongestMethod = 80;
 
     private static readonly string[] s_kinds = ["class", "struct", "interface", "enum", "record", "namespace"];
 

@@ -19,6 +19,14 @@ internal sealed class SourceFile
         .. Read("Football.Physics", ""), .. Read("Football.Physics.Batch", "Batch/"), .. Read("Football.Physics.Tracks", "Tracks/"), .. Read("Football.Physics.Engines", "Engines/"), .. Read("Football.Physics.Thesis", "Thesis/"),
     ];
 
+    /// <summary>Every file of the sources: the library, its parts, and the programs and bindings beside them.</summary>
+    public static IReadOnlyList<SourceFile> Sources { get; } =
+    [
+        .. Library, .. Directory.EnumerateDirectories(System.IO.Path.Combine(RepositoryFiles.Root, "src")).Select(path => System.IO.Path.GetFileName(path))
+            .Where(folder => folder is not ("Football.Physics" or "Football.Physics.Batch" or "Football.Physics.Tracks" or "Football.Physics.Engines" or "Football.Physics.Thesis"))
+            .Order().SelectMany(folder => Read(folder, folder + "/")),
+    ];
+
     /// <summary>Path below the library's folder, with slashes; that of a part begins with the name of its room.</summary>
     public string Path { get; }
 
