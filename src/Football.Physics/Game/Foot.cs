@@ -109,7 +109,10 @@ public sealed class Foot
             {
                 double high = (i + 1.0) / Shares;
                 Roots.Bisect(ref part, ref low, ref high, MostHalvings);
-                return new FootStrike(part.Of(low));
+                if (part.Changes(low))
+                {
+                    return new FootStrike(part.Of(low));
+                }
             }
         }
 
@@ -210,8 +213,11 @@ public sealed class Foot
         public FootStrike Of(double share) =>
             _foot.Inverse(_ball, in _velocity, in _spin, share * _wantedVelocity, _spin + (share * (_wantedSpin - _spin)));
 
-        /// <summary>Returns the foot velocity for a fraction; zero if the ball already has the velocity.</summary>
-        public Vector3d Takes(double share) => ((share * _wantedVelocity) - _velocity).Length > 0 ? Of(share).FootVelocity : Vector3d.Zero;
+        /// <summary>True if a fraction needs an impulse; false if the ball already has the velocity.</summary>
+        public bool Changes(double share) => ((share * _wantedVelocity) - _velocity).Length > 0;
+
+        /// <summary>Returns the foot velocity for a fraction; zero without an impulse.</summary>
+        public Vector3d Takes(double share) => Changes(share) ? Of(share).FootVelocity : Vector3d.Zero;
 
         public bool Evaluate(double x, out bool holds)
         {

@@ -179,6 +179,80 @@ public sealed class FootTests
         Assert.InRange(swings, 20, 300);
     }
 
+    /// <summary>The ball's velocity is a fraction of the wanted one, or zero, and the ball spins: that fraction of the kick needs no impulse.</summary>
+    [Fact]
+    public void A_leg_that_is_too_slow_plays_a_ball_that_moves_in_the_wanted_direction()
+    {
+        var random = new Shots(45);
+        int straight = 0;
+        for (int i = 0; i < 600; i++)
+        {
+            Vector3d wanted = random.Uniform(5, 32) * random.Direction();
+            Vector3d v = i % 4 / 4.0 * wanted;
+            Vector3d w = random.Uniform(0, 60) * random.Direction();
+            Vector3d spin = random.Uniform(0, 60) * random.Direction();
+            var foot = new Foot { MaximumSpeed = i % 3 == 0 ? random.Uniform(0.05, 0.5) : random.Uniform(0.5, 10) };
+            FootStrike strike = foot.StrikeFor(s_ball, v, w, wanted, spin);
+            Assert.InRange(strike.FootVelocity.Length, 0, foot.MaximumSpeed + 1e-9);
+            FootStrike played = foot.Strike(s_ball, v, w, strike.FootVelocity, strike.Normal);
+            Assert.InRange(Vector3d.Distance(played.Velocity, strike.Velocity), 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(played.Spin, strike.Spin), 0, 1e-7);
+            bool isStraight = Vector3d.Cross(strike.Velocity, wanted).Length < 1e-6 * wanted.Length && Vector3d.Dot(strike.Velocity, wanted) > 0;
+            straight += isStraight ? 1 : 0;
+
+            // The result is at least as fast as each sixteenth of the kick that a foot of this speed can give.
+            for (int share = 1; share < 16 && !strike.FastEnough; share++)
+            {
+                Vector3d part = share / 16.0 * wanted;
+                bool isFast = part != v && new Foot().StrikeFor(s_ball, v, w, part, w + (share / 16.0 * (spin - w))).FootVelocity.Length <= foot.MaximumSpeed;
+                Assert.True(!isFast || (isStraight && strike.Velocity.Length >= part.Length - 1e-9), $"{i}: {share} sixteenths");
+            }
+        }
+
+        Assert.InRange(straight, 50, 550);
+    }
+
+    [Fact]
+    public void A_ball_at_rest_that_spins_leaves_in_the_wanted_direction_also_after_a_touch_of_a_very_slow_foot()
+    {
+        var random = new Shots(46);
+        for (int i = 0; i < 100; i++)
+        {
+            Vector3d wanted = random.Uniform(20, 32) * random.Direction();
+            Vector3d w = random.Uniform(2, 5) * random.Direction();
+            FootStrike strike = new Foot { MaximumSpeed = 1 }.StrikeFor(s_ball, Vector3d.Zero, w, wanted, Vector3d.Zero);
+            Assert.Equal(1, strike.FootVelocity.Length, 1e-9);
+            Assert.InRange(strike.Velocity.Length, 0.2, 2);
+            Assert.InRange(Vector3d.Distance(strike.Velocity.Length / wanted.Length * wanted, strike.Velocity), 0, 1e-9);
+        }
+    }
+
+    /// <summary>Without friction, the impulse is along the normal, through the centre.</summary>
+    [Fact]
+    public void A_foot_without_friction_gives_any_velocity_and_keeps_the_spin()
+    {
+        var random = new Shots(47);
+        var foot = new Foot { Friction = 0 };
+        for (int i = 0; i < 100; i++)
+        {
+            Vector3d v = random.Uniform(0, 10) * random.Direction();
+            Vector3d w = random.Uniform(1, 30) * random.Direction();
+            Vector3d wanted = random.Uniform(15, 32) * random.Direction();
+            FootStrike same = foot.StrikeFor(s_ball, v, w, wanted, w);
+            Assert.True(same.EnoughFriction);
+            FootStrike other = foot.StrikeFor(s_ball, v, w, wanted, Vector3d.Zero);
+            Assert.False(other.EnoughFriction);
+            foreach (FootStrike strike in new[] { same, other })
+            {
+                Vector3d n = (wanted - v) / (wanted - v).Length;
+                Assert.InRange(Vector3d.Distance(strike.Normal, n), 0, 1e-12);
+                Assert.InRange(Vector3d.Distance(strike.Spin, w), 0, 1e-9);
+                double approach = (wanted - v).Length * (1 + (s_ball.Mass / foot.Mass)) / (1 + foot.Restitution);
+                Assert.Equal(Vector3d.Dot(v, n) + approach, Vector3d.Dot(strike.FootVelocity, n), 1e-9);
+            }
+        }
+    }
+
     [Fact]
     public void Numbers_out_of_range_are_refused()
     {
