@@ -42,7 +42,9 @@ public sealed class FootTests
             Vector3d v = random.Uniform(0, 20) * random.Direction();
             Vector3d w = random.Uniform(0, 60) * random.Direction();
             Vector3d u = random.Uniform(0, 30) * random.Direction();
-            FootStrike strike = foot.Strike(s_ball, v, w, u, random.Direction());
+            Vector3d n = random.Direction();
+            FootStrike strike = foot.Strike(s_ball, v, w, u, random.Uniform(0.5, 3) * n);
+            Assert.InRange(Vector3d.Distance(strike.Normal, n), 0, 1e-15);
             Vector3d lost = (s_ball.Mass * (v - strike.Velocity)) + (foot.Mass * (u - strike.FootVelocityAfter));
             Assert.InRange(lost.Length, 0, 1e-12);
             double Energy(Vector3d ball, Vector3d spin, Vector3d other) => 0.5 * ((s_ball.Mass * ball.LengthSquared) + (s_ball.MomentOfInertia * spin.LengthSquared) + (foot.Mass * other.LengthSquared));
@@ -179,7 +181,7 @@ public sealed class FootTests
         Assert.InRange(swings, 20, 300);
     }
 
-    /// <summary>The ball's velocity is a fraction of the wanted one, or zero, and the ball spins: that fraction of the kick needs no impulse.</summary>
+    /// <summary>The ball's velocity is a fraction of the wanted one, zero, or opposite, and the ball spins: that fraction of the kick needs no impulse.</summary>
     [Fact]
     public void A_leg_that_is_too_slow_plays_a_ball_that_moves_in_the_wanted_direction()
     {
@@ -188,7 +190,7 @@ public sealed class FootTests
         for (int i = 0; i < 600; i++)
         {
             Vector3d wanted = random.Uniform(5, 32) * random.Direction();
-            Vector3d v = i % 4 / 4.0 * wanted;
+            Vector3d v = ((i % 7) - 3) / 4.0 * wanted;
             Vector3d w = random.Uniform(0, 60) * random.Direction();
             Vector3d spin = random.Uniform(0, 60) * random.Direction();
             var foot = new Foot { MaximumSpeed = i % 3 == 0 ? random.Uniform(0.05, 0.5) : random.Uniform(0.5, 10) };
@@ -227,6 +229,27 @@ public sealed class FootTests
         }
     }
 
+    [Fact]
+    public void The_spin_that_friction_just_allows_is_reached()
+    {
+        var random = new Shots(48);
+        var foot = new Foot { Friction = 0.4 };
+        int limited = 0;
+        for (int i = 0; i < 200; i++)
+        {
+            Vector3d v = random.Uniform(0, 10) * random.Direction();
+            Vector3d w = random.Uniform(0, 30) * random.Direction();
+            Vector3d wanted = random.Uniform(15, 32) * random.Direction();
+            FootStrike most = foot.StrikeFor(s_ball, v, w, wanted, random.Uniform(500, 900) * random.Direction());
+            FootStrike same = foot.StrikeFor(s_ball, v, w, wanted, most.Spin);
+            Assert.True(same.EnoughFriction);
+            Assert.InRange(Vector3d.Distance(most.Spin, same.Spin), 0, 1e-9);
+            limited += most.EnoughFriction ? 0 : 1;
+        }
+
+        Assert.InRange(limited, 100, 200);
+    }
+
     /// <summary>Without friction, the impulse is along the normal, through the centre.</summary>
     [Fact]
     public void A_foot_without_friction_gives_any_velocity_and_keeps_the_spin()
@@ -259,12 +282,25 @@ public sealed class FootTests
         Refused("foot.mass is 0", () => Strike(new Foot { Mass = 0 }));
         Refused("foot.restitution is 1.2", () => Strike(new Foot { Restitution = 1.2 }));
         Refused("foot.tangentialRestitution is -1", () => Strike(new Foot { TangentialRestitution = -1 }));
-        Refused("foot.maximumSpeed is 0", () => new Foot { MaximumSpeed = 0 }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 2, 3), Vector3d.Zero));
+        Refused("foot.maximumSpeed is 0", () => StrikeFor(new Foot { MaximumSpeed = 0 }));
+        Refused("foot.mass is 0", () => StrikeFor(new Foot { Mass = 0 }));
         Refused("foot.friction is NaN", () => Strike(new Foot { Friction = double.NaN }));
-        Refused("foot.normal is (0, 0, 0)", () => new Foot().Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 0, 0), Vector3d.Zero));
-        Refused("kick.velocity is (3, 0, 0)", () => new Foot().StrikeFor(s_ball, new Vector3d(3, 0, 0), Vector3d.Zero, new Vector3d(3, 0, 0), Vector3d.Zero));
+        Refused("foot.normal is (0, 0, 0)", () => Strike(new Foot(), normal: 0));
+        Refused("foot.normal is (Infinity, 0, 0)", () => Strike(new Foot(), normal: double.PositiveInfinity));
+        Refused("foot.velocity is (1001", () => Strike(new Foot(), foot: 1001));
+        Refused("ball.velocity is (1001", () => Strike(new Foot(), velocity: 1001));
+        Refused("ball.spin is (0, 10001", () => Strike(new Foot(), spin: 10_001));
+        Refused("ball.spin is (0, 10001", () => StrikeFor(new Foot(), spin: 10_001));
+        Refused("kick.velocity is (3, 0, 0)", () => StrikeFor(new Foot(), velocity: 3));
+        Refused("kick.velocity is (1001", () => StrikeFor(new Foot(), wanted: 1001));
+        Refused("kick.spin is (0, 10001", () => StrikeFor(new Foot(), wantedSpin: 10_001));
+        Refused("ball.mass is -1", () => Strike(new Foot(), ball: s_ball with { Mass = -1 }));
+        Assert.Throws<ArgumentNullException>(() => new Foot().Strike(null!, Vector3d.Zero, Vector3d.Zero, Vector3d.Up, Vector3d.Up));
 
-        static FootStrike Strike(Foot foot) => foot.Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(10, 0, 0), new Vector3d(1, 0, 0));
+        static FootStrike Strike(Foot hits, double velocity = 0, double spin = 0, double foot = 10, double normal = 1, BallProperties? ball = null) =>
+            hits.Strike(ball ?? s_ball, new Vector3d(velocity, 0, 0), new Vector3d(0, spin, 0), new Vector3d(foot, 0, 0), new Vector3d(normal, 0, 0));
+        static FootStrike StrikeFor(Foot hits, double velocity = 0, double spin = 0, double wanted = 3, double wantedSpin = 0) =>
+            hits.StrikeFor(s_ball, new Vector3d(velocity, 0, 0), new Vector3d(0, spin, 0), new Vector3d(wanted, 0, 0), new Vector3d(0, wantedSpin, 0));
         static void Refused(string message, Func<FootStrike> strike) =>
             Assert.Contains(message, Assert.Throws<ArgumentOutOfRangeException>(() => strike()).Message, StringComparison.Ordinal);
     }
