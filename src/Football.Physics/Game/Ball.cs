@@ -50,11 +50,7 @@ public sealed class Ball
             }
 
             // Obstacles that the ball has pushed stay at their new positions.
-            if (value.World.Obstacles.Count > 0)
-            {
-                value.World.Obstacles.Follow(_simulator.World.Obstacles);
-            }
-
+            value.World.Obstacles.Follow(_simulator.World.Obstacles);
             _state = value.Continue(_simulator, in _state);
             _simulator = value;
         }

@@ -23,10 +23,7 @@ internal sealed class Keyframes(int balls, int movers)
     {
         Grow();
         states.CopyTo(StatesOf(Count - 1));
-        if (movers > 0)
-        {
-            world.ReadMotions(MotionsOf(Count - 1));
-        }
+        world.ReadMotions(MotionsOf(Count - 1));
     }
 
     /// <summary>Removes all keyframes after the first <c>count</c>.</summary>

@@ -24,6 +24,8 @@ internal sealed class MatchRecorder
     /// <summary>Rewinds the recording to a tick; ends it if it does not contain these states.</summary>
     public void GoTo(long tick, BallState[] states)
     {
+        // The steps from this tick on are discarded, and their moves with them.
+        EngineMoved = Math.Min(EngineMoved, tick - 1);
         if (Recording is { } recording && !recording.TryRewind(tick, Snapshot.Hash(states)))
         {
             Recording = null;

@@ -46,7 +46,7 @@ public sealed class Recording
         _start = start;
         _motions = motions;
         _keyframes = new Keyframes(start.Length, motions.Length);
-        _hashes = new ulong[Math.Max(capacity, 1)];
+        _hashes = new ulong[capacity];
     }
 
     /// <summary>The length of a step, in s.</summary>
@@ -158,11 +158,7 @@ public sealed class Recording
             // Otherwise, start at the last keyframe before the tick. Set the bodies first, because the runner's rollback then restarts from them.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
-            if (world.Movers > 0)
-            {
-                world.WriteMotions(keyframe == 0 ? _motions : _keyframes.MotionsOf(keyframe - 1));
-            }
-
+            world.WriteMotions(keyframe == 0 ? _motions : _keyframes.MotionsOf(keyframe - 1));
             replay.RestoreAll(from, keyframe == 0 ? _start : _keyframes.StatesOf(keyframe - 1).ToArray());
         }
 
@@ -366,10 +362,7 @@ public sealed class Recording
         }
 
         // Restore the initial state: bodies and movable obstacles first, then the balls.
-        if (world.Movers > 0)
-        {
-            world.WriteMotions(_motions);
-        }
+        world.WriteMotions(_motions);
 
         // Keep all kicks, because Seek can return to any tick.
         runner.KickTicks = Limits.Tick;

@@ -224,7 +224,7 @@ public sealed class Rollback
         // Overwrite the oldest slot; body positions before the oldest tick are no longer needed.
         OldestTick = Math.Max(OldestTick, tick - Ticks);
         Array.Copy(Runner.States, 0, _states, PlaceOf(tick), _balls);
-        KeepMotions(tick);
+        Runner.Simulator.World.ReadMotions(MotionsAt(tick));
         _bodies?.RemoveBefore(OldestTick);
     }
 
@@ -258,19 +258,11 @@ public sealed class Rollback
 
     private Span<RigidMotion> MotionsAt(long tick) => _motions.AsSpan((int)(tick % (_ticks + 1)) * _movers, _movers);
 
-    private void KeepMotions(long tick)
-    {
-        if (_movers > 0)
-        {
-            Runner.Simulator.World.ReadMotions(MotionsAt(tick));
-        }
-    }
-
     /// <summary>Throws if an object moved in the steps to resimulate and its past positions are unknown.</summary>
     private void RefuseUnknownPlaces(long from)
     {
         // MoveBodies can position the bodies at any time in the past.
-        if (Runner.MoveBodies is not null || from >= Runner.Tick)
+        if (Runner.MoveBodies is not null)
         {
             return;
         }
@@ -313,11 +305,7 @@ public sealed class Rollback
         try
         {
             // Restore the bodies, then the balls, at this tick, and simulate from there with the current kicks.
-            if (_movers > 0)
-            {
-                world.WriteMotions(MotionsAt(from));
-            }
-
+            world.WriteMotions(MotionsAt(from));
             Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
             Runner.GoTo(from, _from);
             while (Runner.Tick < now)
@@ -339,7 +327,7 @@ public sealed class Rollback
                     kept = Runner.States[i];
                 }
 
-                KeepMotions(Runner.Tick);
+                world.ReadMotions(MotionsAt(Runner.Tick));
                 first ??= same ? null : Runner.Tick;
             }
         }

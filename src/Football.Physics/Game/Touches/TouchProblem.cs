@@ -76,7 +76,6 @@ internal abstract class TouchProblem : ILeastSquares
 
         // The last trial of the solver may have been rejected. Simulate the best solution again, so that Strike and End belong to it.
         bool hit = _solver.Solve(x);
-        _flights = 0;
         bool flies = Evaluate(x, _solver.Residuals);
         return hit && flies;
     }
@@ -275,12 +274,11 @@ internal sealed class FirstTimeProblem : TouchProblem
 
     public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
     {
-        End = Ball;
-        Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        BallState kicked = Ball;
+        Simulator.Kick(ref kicked, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
         // Search the complete flight: the solver uses the offsets in the plane, but the result contains the closest approach.
-        Simulator.LookAhead(in End, _look, _path);
-        End = _path.Final;
+        Simulator.LookAhead(in kicked, _look, _path);
         Closest = _path.ClosestApproach(_request.Target);
         Miss = (Closest.Position - _request.Target).Length;
         if (!_path.TryGetCrossing(in _plane, out PathPoint at))

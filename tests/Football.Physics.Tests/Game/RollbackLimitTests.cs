@@ -1,0 +1,170 @@
+using FootballPhysics.Tests.Things;
+
+namespace FootballPhysics.Tests.Game;
+
+/// <summary>What a <see cref="Rollback"/> cannot do is refused before anything changes, and each ball of several has its own state.</summary>
+public sealed class RollbackLimitTests
+{
+    private const double TimeStep = 1.0 / 60;
+
+    [Fact]
+    public void Ticks_and_balls_that_are_not_stored_are_refused()
+    {
+        FixedStepRunner runner = Group();
+        Assert.Throws<ArgumentNullException>(() => new Rollback(null!));
+        Refused("ticks is 0", () => _ = new Rollback(runner, 0));
+        Refused("ticks is 1000001", () => _ = new Rollback(runner, 1_000_001));
+        var rollback = new Rollback(runner, 10);
+        Play(runner, 30);
+        Assert.Equal((20, 10), (rollback.OldestTick, rollback.Ticks));
+        ulong before = rollback.HashAt(30);
+        foreach (long tick in new long[] { 19, 31 })
+        {
+            Refused($"tick is {tick}", () => rollback.HashAt(tick));
+            Refused($"tick is {tick}", () => rollback.StateAt(tick));
+            Refused($"tick is {tick}", () => rollback.ResimulateFrom(tick));
+            Refused($"tick is {tick}", () => rollback.ApplyServerState(tick, runner.State));
+        }
+
+        foreach (int ball in new[] { -1, 3 })
+        {
+            Refused($"ball is {ball}", () => rollback.StateAt(25, ball));
+            Refused($"ball is {ball}", () => rollback.ApplyServerState(25, runner.State, ball));
+        }
+
+        Refused("kick is 19", () => rollback.ApplyKick(new KickInput(19, default, default)));
+        Refused("kick.ball is 3", () => rollback.ApplyKick(new KickInput(25, default, default, ball: 3)));
+        Refused("tick is 19", () => rollback.Remove(19));
+        Refused("ticks is 0", () => rollback.SyncTest(0));
+        Refused("ticks is 11", () => rollback.SyncTest(11));
+        Assert.Equal((3, before), (runner.Kicks.Count, Snapshot.Hash(runner.States)));
+        Assert.Null(rollback.SyncTest(10));
+    }
+
+    [Fact]
+    public void A_state_that_a_ball_of_the_scene_cannot_have_is_refused()
+    {
+        FixedStepRunner runner = Group();
+        var rollback = new Rollback(runner, 10);
+        Play(runner, 8);
+        ulong before = rollback.HashAt(8);
+        Assert.Throws<ArgumentException>(() => rollback.ApplyServerState(5, default));
+        BallState wrong = rollback.StateAt(5, 1);
+        wrong.Velocity = new Vector3d(double.NaN, 0, 0);
+        Refused("state.velocity", () => rollback.ApplyServerState(5, in wrong, 1));
+        BallState early = rollback.StateAt(4, 1);
+        Assert.StartsWith("state.time is ", Assert.Throws<ArgumentException>(() => rollback.ApplyServerState(5, in early, 1)).Message, StringComparison.Ordinal);
+        Assert.Equal(before, rollback.HashAt(8));
+        Assert.Null(rollback.SyncTest(8));
+
+        // A single ball may have a clock of its own.
+        var alone = new FixedStepRunner(timeStep: TimeStep);
+        var history = new Rollback(alone);
+        alone.QueueKick(new Vector3d(0, 5, -5), default);
+        Play(alone, 8);
+        BallState later = history.StateAt(5);
+        later.Time += 7;
+        Assert.Equal(5, history.ApplyServerState(5, in later));
+        Assert.Equal(7 + (8 * TimeStep), alone.Time, 1e-12);
+    }
+
+    /// <summary>At every depth and for every ball: the state of the server gives the bits of a match in which that ball had it from the start.</summary>
+    [Fact]
+    public void A_state_of_the_server_for_one_of_several_balls_is_played_to_the_present()
+    {
+        for (int ball = 0; ball < 3; ball++)
+        {
+            for (int depth = 0; depth <= 12; depth += 3)
+            {
+                FixedStepRunner server = Group();
+                FixedStepRunner client = Group();
+                var rollback = new Rollback(client, 12);
+                server.Kicks.Add(new KickInput(5, new Vector3d(ball, 4, 6), new Vector3d(0, 9, 0), 7, ball));
+                Play(client, 30);
+                Play(server, 30 - depth);
+                Assert.Equal(30 - depth, rollback.ApplyServerState(30 - depth, server.StateOf(ball), ball));
+                Play(server, 30);
+                for (int i = 0; i < 3; i++)
+                {
+                    Assert.True(Snapshot.Same(server.StateOf(i), client.StateOf(i)), $"ball {ball}, depth {depth}, state of {i}");
+                    Assert.True(Snapshot.Same(server.StateOf(i), rollback.StateAt(30, i)));
+                }
+
+                Assert.True(depth == 0 || rollback.SyncTest(depth) is null);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Steps_in_which_an_object_moved_to_an_unknown_position_cannot_be_played_again(bool isEngine)
+    {
+        Scene scene = Scene.Default;
+        PosedCollider posed = PosedCollider.In(ref scene, new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Board, isEngine);
+        var runner = new FixedStepRunner(new Simulator(scene), TimeStep);
+        var rollback = new Rollback(runner, keepsBodies: false);
+        runner.QueueKick(new Vector3d(0, 5, -8), default);
+        for (int tick = 0; tick < 20; tick++)
+        {
+            // It stops before tick 12.
+            Vector3d velocity = tick < 12 ? new Vector3d(0, 0, 1) : Vector3d.Zero;
+            if (tick <= 12)
+            {
+                posed.MoveTo(new Vector3d(9, 1, tick * TimeStep), Quaterniond.Identity, velocity, Vector3d.Zero, runner.Time);
+            }
+
+            runner.Step();
+        }
+
+        // A body that was placed counts as moved in that step; a collider of an engine counts while it has a velocity.
+        int last = isEngine ? 11 : 12;
+        BallState before = runner.State;
+        BallState state = rollback.StateAt(last);
+        state.Velocity += new Vector3d(1, 0, 0);
+        string message = isEngine ? $"Engine colliders moved at tick {last}, " : $"Bodies moved at tick {last}, ";
+        foreach (Action action in new Action[]
+        {
+            () => rollback.ApplyKick(new KickInput(last, default, default)),
+            () => rollback.Remove(last),
+            () => rollback.ApplyServerState(last, in state),
+            () => rollback.ResimulateFrom(last),
+            () => rollback.SyncTest(20 - last),
+        })
+        {
+            Assert.StartsWith(message, Assert.Throws<InvalidOperationException>(action).Message, StringComparison.Ordinal);
+        }
+
+        Assert.True(Snapshot.Same(before, runner.State));
+        Assert.Equal(1, runner.Kicks.Count);
+        Assert.Null(rollback.SyncTest(19 - last));
+        Assert.Equal(last + 2, rollback.ApplyKick(new KickInput(last + 1, new Vector3d(1, 1, 1), default)));
+
+        // Back at an earlier tick, nothing has moved yet.
+        runner.Restore(3, rollback.StateAt(last + 1));
+        runner.Step();
+        Assert.Equal(4, rollback.ApplyKick(new KickInput(3, new Vector3d(1, 1, 1), default)));
+    }
+
+    private static FixedStepRunner Group()
+    {
+        var runner = new FixedStepRunner(new BallGroup(new Simulator(), 3), TimeStep);
+        for (int i = 0; i < 3; i++)
+        {
+            runner.Place(new Vector3d(2 * i, 0, 0), i);
+            runner.QueueKick(new Vector3d(0.3 - (0.3 * i), 3 + i, -5), new Vector3d(10 * i, 5, 0), i);
+        }
+
+        return runner;
+    }
+
+    private static void Play(FixedStepRunner runner, long to)
+    {
+        while (runner.Tick < to)
+        {
+            runner.Step();
+        }
+    }
+
+    private static void Refused(string message, Action action) => Assert.StartsWith(message, Assert.Throws<ArgumentOutOfRangeException>(action).Message, StringComparison.Ordinal);
+}
