@@ -95,8 +95,9 @@ public sealed class Rollback
     public long? ApplyKick(in KickInput kick)
     {
         Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
-        Check.Index("kick.ball", kick.Ball, _balls);
         RefuseUnknownPlaces(kick.Tick);
+
+        // The log rejects a ball that the runner does not have, before anything changes.
         Runner.Kicks.Add(in kick);
         return PlayAgain(kick.Tick);
     }

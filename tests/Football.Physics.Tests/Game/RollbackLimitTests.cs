@@ -91,6 +91,14 @@ public sealed class RollbackLimitTests
                 }
 
                 Assert.True(depth == 0 || rollback.SyncTest(depth) is null);
+
+                // The history goes on from there.
+                Assert.Equal(18, rollback.OldestTick);
+                Play(server, 35);
+                Play(client, 35);
+                Assert.Equal(23, rollback.OldestTick);
+                Assert.Equal(Snapshot.Hash(server.States), rollback.HashAt(35));
+                Assert.Null(rollback.SyncTest(5));
             }
         }
     }
