@@ -12,14 +12,12 @@ internal sealed unsafe class KnownRests
     private const int Slots = 16;
 
     private readonly World _world;
+
+    // A ball that was launched never has the zero state of an empty slot.
     private readonly BallState[] _states = new BallState[Slots];
     private readonly long[] _versions = new long[Slots];
 
-    public KnownRests(World world)
-    {
-        _world = world;
-        Array.Fill(_versions, -1);
-    }
+    public KnownRests(World world) => _world = world;
 
     /// <summary>True if a step from this state changes only the time.</summary>
     public bool Has(in BallState s)

@@ -39,6 +39,8 @@ public sealed class RollbackAmongBodiesTests
                     int events = rollback.Events.Count;
                     Assert.Null(rollback.ResimulateFrom(kick.Tick));
                     Assert.Equal(events, rollback.Events.Count);
+                    Assert.Null(rollback.ResimulateFrom(tick - (late / 2)));
+                    Assert.Null(rollback.ResimulateFrom(kick.Tick));
                     hits += rollback.Events.Span.ToArray().Count(at => client.Simulator.NameOf(at.ColliderIndex) == "board");
                     pushed += rollback.Events.Span.ToArray().Count(at => client.Simulator.NameOf(at.ColliderIndex) == "dummy");
                 }

@@ -145,6 +145,56 @@ public sealed class SeekTests
         Assert.NotEqual(match.SessionHash, new FixedStepRunner(new BallGroup(simulator, 2), 1.0 / 50) { QuantizationInterval = 3 }.SessionHash);
     }
 
+    /// <summary>Each ball of a group, its place in the group, and the material of their contacts count.</summary>
+    [Fact]
+    public void Groups_that_differ_in_one_ball_or_their_order_have_other_hashes()
+    {
+        BallProperties first = BallProperties.Futsal;
+        BallProperties second = BallProperties.Tunnel;
+        BallGroup[] groups =
+        [
+            new(new Scene(), [first, second]), new(new Scene(), [second, first]), new(new Scene(), [first, first]), new(new Scene(), [second, second]),
+            new(new Scene(), [first, second, first]), new(new Scene(), [first]), new(new Scene(), [first, second], contact: SurfaceMaterial.Board),
+            new(new Scene { Gravity = 9.8 }, [first, second]),
+        ];
+        ulong[] hashes = [.. groups.Select(group => new FixedStepRunner(group).SessionHash)];
+        Assert.Equal(groups.Length, hashes.Distinct().Count());
+        Assert.Equal(hashes[0], new FixedStepRunner(new BallGroup(new Scene(), [first, second])).SessionHash);
+        foreach (BallGroup other in groups[1..])
+        {
+            Assert.Throws<ArgumentException>(() => new FixedStepRunner(groups[0]).Record().Replay(other));
+        }
+    }
+
+    /// <summary>A zip file with the scene as text, and with the bytes of the recording.</summary>
+    [Fact]
+    public void A_bundle_contains_the_recording_and_names_the_scene()
+    {
+        var match = new FixedStepRunner(new Simulator(new Scene { Gravity = 9.7 }));
+        match.QueueKick(new Vector3d(1, 5, -9), default);
+        Recording segment = match.Record();
+        Play(match, 40);
+        byte[] bundle = segment.ToBundle(new Simulator(new Scene { Gravity = 9.7 }));
+        using var zip = new System.IO.Compression.ZipArchive(new MemoryStream(bundle));
+        Assert.Equal(["match.json", "match.segment"], zip.Entries.Select(entry => entry.FullName));
+        Assert.All(zip.Entries, entry => Assert.Equal(new DateTime(2000, 1, 1), entry.LastWriteTime.DateTime));
+        using var bytes = new MemoryStream();
+        using (Stream stream = zip.Entries[1].Open())
+        {
+            stream.CopyTo(bytes);
+        }
+
+        Assert.Equal(segment.ToBytes(), bytes.ToArray());
+        using var reader = new StreamReader(zip.Entries[0].Open());
+        string text = reader.ReadToEnd();
+        Assert.Contains($"{segment.SceneHash:x16}", text, StringComparison.Ordinal);
+        Assert.Contains("9.7", text, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator()));
+        Assert.Throws<ArgumentNullException>(() => segment.ToBundle(null!));
+        var group = new FixedStepRunner(new BallGroup(new Simulator(), 2));
+        Assert.Contains("2 balls", Assert.Throws<InvalidOperationException>(() => group.Record().ToBundle(new Simulator())).Message, StringComparison.Ordinal);
+    }
+
     private static Vector3d At(RigidMotion motion, double time) => motion.Origin + ((time - motion.Time) * motion.Velocity);
 
     private static RigidMotion[] Motions(FixedStepRunner runner)

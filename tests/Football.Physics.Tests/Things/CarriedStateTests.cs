@@ -1,0 +1,68 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Tests.Things;
+
+/// <summary>States of carried balls: the distance from the carrier that a state may have, and the ends of searches along a path.</summary>
+public sealed class CarriedStateTests
+{
+    /// <summary>Far from the origin, positions are less exact, so the tolerance grows by a thousandth of itself per metre, on each axis.</summary>
+    [Theory]
+    [InlineData(0, 0, 0)]
+    [InlineData(1e5, 0, 0)]
+    [InlineData(-1e5, 0, 30)]
+    [InlineData(0, 1e5, 0)]
+    [InlineData(3, 0, 1e5)]
+    [InlineData(3, 0, -1e5)]
+    public void A_state_may_be_off_its_carrier_by_the_tolerance_at_its_distance(double x, double y, double z)
+    {
+        var box = new BoxShape(new Vector3d(x, y - 0.5, z), new Vector3d(2, 0.5, 2));
+        var simulator = new Simulator(new Scene { Ground = Ground.None, Obstacles = [new Obstacle { Name = "box", Shape = box }] });
+        var ball = new Ball(simulator);
+        ball.Place(new Vector3d(x, y + simulator.Scene.Ball.Radius, z));
+        for (int i = 0; i < 50; i++)
+        {
+            ball.Step(0.02);
+        }
+
+        Assert.Equal(MotionState.Rest, ball.Motion);
+        BallState state = ball.State;
+        double tolerance = 1e-6 * (1 + (1e-3 * Math.Max(Math.Abs(x), Math.Max(y + simulator.Scene.Ball.Radius, Math.Abs(z)))));
+        foreach (double side in new[] { -1.0, 1.0 })
+        {
+            BallState near = state with { Position = state.Position + new Vector3d(0, 0.97 * side * tolerance, 0) };
+            simulator.Validate(in near);
+            BallState far = state with { Position = state.Position + new Vector3d(0, 1.03 * side * tolerance, 0) };
+            Assert.StartsWith("state.position is ", Assert.Throws<ArgumentOutOfRangeException>(() => simulator.Validate(in far)).Message, StringComparison.Ordinal);
+        }
+    }
+
+    /// <summary>A search that has reached the end of the path ends, also with a step of zero; a lengthened step does not skip the end.</summary>
+    [Fact]
+    public void A_search_along_a_path_ends_at_its_end()
+    {
+        var path = PathCubic.Line(Vector3d.Zero, new Vector3d(1, 0, 0), 0.5);
+        foreach (double until in new[] { 0.5, 0.3, 0.01 })
+        {
+            var span = new SearchSpan(in path, until);
+            Assert.InRange(span.Shortest, 1e-15, 1e-3);
+            double t = until;
+            Assert.False(span.Advance(ref t, 0));
+            t = until;
+            Assert.False(span.AdvanceFreely(ref t, 0));
+
+            t = until - (0.3 * span.Shortest);
+            Assert.True(span.Advance(ref t, 0.1 * span.Shortest));
+            Assert.Equal(until, t);
+            t = until - (0.3 * span.Shortest);
+            Assert.False(span.Advance(ref t, 0.5 * span.Shortest));
+            t = until - (0.3 * span.Shortest);
+            Assert.False(span.AdvanceFreely(ref t, 0.1 * span.Shortest));
+            t = 0;
+            Assert.True(span.Advance(ref t, 0.25 * until));
+            Assert.Equal(0.25 * until, t);
+            Assert.True(span.AdvanceFreely(ref t, 0.25 * until));
+            Assert.Equal(0.5 * until, t);
+        }
+    }
+}
