@@ -344,7 +344,7 @@ public sealed class Recording
         // Reject a different scene or different settings now; otherwise, the replay would diverge later without explanation.
         ulong hash = HashOf(runner);
         World world = runner.Simulator.World;
-        if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)
+        if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length || Bodies.HighestBody() >= (world.Bodies?.Count ?? 0))
         {
             throw new ArgumentException(
                 $"The scene differs from the recorded one (balls {runner.Balls}, hash {hash:x16}; recorded: balls {Balls}, hash {SceneHash:x16}). Use the same scene and settings.");
