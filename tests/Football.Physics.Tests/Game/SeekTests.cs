@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Game;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Tests.Game;
