@@ -13,7 +13,6 @@ internal sealed class SlideStep<TAir>
     private readonly StabilityLimit _limit;
     private readonly BallProperties _ball;
     private readonly int _order;
-    private readonly double _radius;
     private SetAir<TAir> _air;
 
     public SlideStep(World world, in SetAir<TAir> air, in StabilityLimit limit, int order)
@@ -22,7 +21,6 @@ internal sealed class SlideStep<TAir>
         _limit = limit;
         _ball = world.Ball;
         _order = order;
-        _radius = world.Ball.Radius;
         _air = air;
     }
 

@@ -27,7 +27,6 @@ internal sealed class BankShotFlight : ILeastSquares
     private readonly LeastSquares _solver;
     private readonly double _upward;
     private readonly double[] _x = new double[2];
-    private readonly double[] _gap = new double[3];
     private AimRequest _request = new();
     private TargetFrame _frame;
     private ElevationBounds _bounds;
