@@ -124,8 +124,8 @@ internal sealed class MeasuredFlight : ApproachFlight
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
-    /// <summary>The length of a step of rolling, in s. The cubic through its ends is then within 1e-6 m of the path.</summary>
-    private const double RollStep = 0.1;
+    /// <summary>The length of a step of rolling, in s. The measured miss is then accurate to a millionth of itself; in steps of 0.1 s it is not.</summary>
+    private const double RollStep = 0.04;
 
     private readonly StepLog _log = new() { IgnoresZones = true };
     private Vector3d? _through;

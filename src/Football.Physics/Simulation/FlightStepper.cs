@@ -78,14 +78,10 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
-        double mostSquared = speedSquared;
 
         // In a wind field, add the maximum wind speed to the airspeed.
-        if (_air.HasField)
-        {
-            double most = Math.Sqrt(speedSquared) + _fastestWind;
-            mostSquared = most * most;
-        }
+        double most = _air.HasField ? Math.Sqrt(speedSquared) + _fastestWind : 0;
+        double mostSquared = _air.HasField ? most * most : speedSquared;
 
         if (_air.Jumps)
         {

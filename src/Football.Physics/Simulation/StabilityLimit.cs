@@ -75,7 +75,9 @@ internal readonly struct StabilityLimit
 
         // Without drag, a low-order integrator increases the ball's speed whenever the velocity turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        RateBound usual = Math.Abs(upward) <= UsualWeight ? WithFall(air.OrdinaryBound, upward) : bound;
+
+        // A wind field can change the airspeed within a step.
+        RateBound usual = Math.Abs(upward) <= UsualWeight && !air.HasField ? WithFall(air.OrdinaryBound, upward) : bound;
         return new StabilityLimit(in bound, in usual, upward, wholeUpTo, pieces, spirals, order);
     }
 

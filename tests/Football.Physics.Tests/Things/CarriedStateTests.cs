@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tests.Things;
 
@@ -41,28 +40,36 @@ public sealed class CarriedStateTests
     [Fact]
     public void A_search_along_a_path_ends_at_its_end()
     {
-        var path = PathCubic.Line(Vector3d.Zero, new Vector3d(1, 0, 0), 0.5);
         foreach (double until in new[] { 0.5, 0.3, 0.01 })
         {
-            var span = new SearchSpan(in path, until);
+            var span = new SearchSpan(0.5, until);
             Assert.InRange(span.Shortest, 1e-15, 1e-3);
-            double t = until;
-            Assert.False(span.Advance(ref t, 0));
-            t = until;
-            Assert.False(span.AdvanceFreely(ref t, 0));
+            Assert.Equal([until], TimesOf(in span, until, 0));
 
-            t = until - (0.3 * span.Shortest);
-            Assert.True(span.Advance(ref t, 0.1 * span.Shortest));
-            Assert.Equal(until, t);
-            t = until - (0.3 * span.Shortest);
-            Assert.False(span.Advance(ref t, 0.5 * span.Shortest));
-            t = until - (0.3 * span.Shortest);
-            Assert.False(span.AdvanceFreely(ref t, 0.1 * span.Shortest));
-            t = 0;
-            Assert.True(span.Advance(ref t, 0.25 * until));
-            Assert.Equal(0.25 * until, t);
-            Assert.True(span.AdvanceFreely(ref t, 0.25 * until));
-            Assert.Equal(0.5 * until, t);
+            double almost = until - (0.3 * span.Shortest);
+            Assert.Equal([almost, until], TimesOf(in span, almost, 0.1 * span.Shortest));
+            Assert.Equal([almost], TimesOf(in span, almost, 0.5 * span.Shortest));
+            Assert.Equal([0, 0.25 * until, 0.5 * until, 0.75 * until, until], TimesOf(in span, 0, 0.25 * until));
+        }
+    }
+
+    /// <summary>The times at which a search evaluates a gap that stays open, if each step is equally long.</summary>
+    private static List<double> TimesOf(in SearchSpan span, double from, double step)
+    {
+        var gap = new OpenGap(step);
+        Assert.Equal(double.PositiveInfinity, TimeOfImpact.First(ref gap, in span, from));
+        return gap.Times;
+    }
+
+    private readonly struct OpenGap(double length) : IGap
+    {
+        public List<double> Times { get; } = [];
+
+        public bool IsClosed(double t, out double step)
+        {
+            Times.Add(t);
+            step = length;
+            return false;
         }
     }
 }
