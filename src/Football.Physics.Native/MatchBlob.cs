@@ -80,7 +80,7 @@ internal sealed class MatchBlob
             words.Write(motion.Orientation.Z);
             words.Write(motion.Orientation.W);
             words.Write(motion.Time);
-            words.Write((motion.IsWithdrawn ? Withdrawn : 0) | (i < _match.Bodies.Count && _match.Bodies.IsTold(i) ? Moved : 0));
+            words.Write((motion.IsWithdrawn ? Withdrawn : 0) | (i < _match.Bodies.Count && _match.Bodies.WasMoved(i) ? Moved : 0));
         }
 
         Crc32.Seal(into);

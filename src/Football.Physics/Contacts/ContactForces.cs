@@ -140,7 +140,7 @@ internal static unsafe class ContactForces
         double r = system.World.Ball.Radius;
         SetLoad(in system, stuck, out ForceRow own);
         var elimination = new StickElimination(in contact.Normal, in own, r, system.World.Ball.InertiaFactor);
-        elimination.Respond(own.Asked, Asked(in contact, r, in spin), ref acceleration, ref spinAcceleration, out own.OwnLoad, out own.OwnFriction);
+        elimination.Respond(own.Target, Target(in contact, r, in spin), ref acceleration, ref spinAcceleration, out own.OwnLoad, out own.OwnFriction);
         for (int i = 0; i < size; i++)
         {
             ref ForceRow row = ref rows[i];
@@ -178,7 +178,7 @@ internal static unsafe class ContactForces
         for (int i = 0; i < size; i++)
         {
             ref readonly ForceRow row = ref rows[i];
-            b[i] = row.Asked - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
+            b[i] = row.Target - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
             for (int j = 0; j < size; j++)
             {
                 double entry = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
@@ -372,9 +372,9 @@ internal static unsafe class ContactForces
 
         double r = system.World.Ball.Radius;
         double perTurn = 1.0 / (system.World.Ball.InertiaFactor * r);
-        Vector3d asked = Asked(in contact, r, in spin);
-        rows[1] = Stick(in contact.Normal, in contact.First, r, perTurn, in asked);
-        rows[2] = Stick(in contact.Normal, in contact.Second, r, perTurn, in asked);
+        Vector3d target = Target(in contact, r, in spin);
+        rows[1] = Stick(in contact.Normal, in contact.First, r, perTurn, in target);
+        rows[2] = Stick(in contact.Normal, in contact.Second, r, perTurn, in target);
         return 3;
     }
 
@@ -382,7 +382,7 @@ internal static unsafe class ContactForces
     private static void SetLoad(in ContactSystem system, int index, out ForceRow row)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
-        row = new ForceRow { AlongV = contact.Normal, Asked = -contact.Centripetal, PushV = contact.Normal };
+        row = new ForceRow { AlongV = contact.Normal, Target = -contact.Centripetal, PushV = contact.Normal };
         if (!contact.Sticks)
         {
             Vector3d direction = contact.SlipDirection;
@@ -416,17 +416,17 @@ internal static unsafe class ContactForces
 
     /// <summary>Returns the row of a friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω).</summary>
     /// <remarks>A force t changes the spin by −n × t/(α r).</remarks>
-    private static ForceRow Stick(in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked) => new()
+    private static ForceRow Stick(in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d target) => new()
     {
         AlongV = along,
         AlongW = r * Vector3d.Cross(in along, in normal),
-        Asked = Vector3d.Dot(in asked, in along),
+        Target = Vector3d.Dot(in target, in along),
         PushV = along,
         PushW = -perTurn * Vector3d.Cross(in normal, in along),
     };
 
     /// <summary>Returns the slip rate that keeps a contact without slip, A − r ṅ × ω.</summary>
-    private static Vector3d Asked(in SetContact contact, double r, in Vector3d spin) => contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
+    private static Vector3d Target(in SetContact contact, double r, in Vector3d spin) => contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
 
     /// <summary>The unit force that two sticking contacts exert against each other along the line between the contact points: n₁ − n₂, at the first contact.</summary>
     private static void SetLine(in SetContact contact, in SetContact other, double* into)

@@ -227,14 +227,14 @@ internal sealed class EngineThings
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
         Cast(in from, in to, moved);
-        double asked = moved;
+        double requested = moved;
 
         // A newly found rotating collider may move farther than the cast allowed for: cast again with the larger margin.
         if (NoteRotating() && Moved(apart) is var farther && farther > moved)
         {
             Cast(in from, in to, farther);
             NoteRotating();
-            asked = farther;
+            requested = farther;
         }
 
         Count = 0;
@@ -244,7 +244,7 @@ internal sealed class EngineThings
         }
 
         // An engine may return more colliders than necessary, even all: skip those outside the box of the cast.
-        Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
+        Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + requested);
         for (int i = 0; i < _hits.Count; i++)
         {
             EngineCollider hit = _hits.At(i);

@@ -216,8 +216,8 @@ internal unsafe struct LineForces
         x[3] = (second - (c * first)) * perSquare;
         x[1] = half;
         x[4] = half;
-        double asked = (perLoad * x[0]) - (_damping * speed * sine * sine / (1.0 + c));
-        SetAlong(x, ofSum * (turn + otherTurn - (2.0 * along) + asked), ofDifference * (turn - otherTurn - asked));
+        double target = (perLoad * x[0]) - (_damping * speed * sine * sine / (1.0 + c));
+        SetAlong(x, ofSum * (turn + otherTurn - (2.0 * along) + target), ofDifference * (turn - otherTurn - target));
         z[0] = sine / (1.0 + c);
         z[3] = z[0];
         z[1] = 1.0;

@@ -3,10 +3,10 @@ namespace FootballPhysics.Contacts;
 /// <summary>An unknown force: the response of the ball to a unit of it, and the condition that determines it.</summary>
 internal struct ForceRow
 {
-    /// <summary>The condition AlongV·v̇ + AlongW·ω̇ = Asked.</summary>
+    /// <summary>The condition AlongV·v̇ + AlongW·ω̇ = Target.</summary>
     public Vector3d AlongV;
     public Vector3d AlongW;
-    public double Asked;
+    public double Target;
 
     /// <summary>Response of v̇ and ω̇ to a unit of it.</summary>
     public Vector3d PushV;
@@ -48,16 +48,16 @@ internal readonly struct StickElimination
         _perTurn = 1.0 / (alpha * radius);
     }
 
-    /// <summary>Adds the contact's response to accelerations: n·v̇ = asked, and (v̇ + r n × ω̇)_t = the tangential part of a
+    /// <summary>Adds the contact's response to accelerations: n·v̇ = target, and (v̇ + r n × ω̇)_t = the tangential part of a
     /// vector.</summary>
-    public void Respond(double asked, in Vector3d askedAlong, ref Vector3d acceleration, ref Vector3d spinAcceleration, out double load, out Vector3d friction)
+    public void Respond(double target, in Vector3d targetAlong, ref Vector3d acceleration, ref Vector3d spinAcceleration, out double load, out Vector3d friction)
     {
-        load = (asked - Vector3d.Dot(in _normal, in acceleration)) * _perLoad;
+        load = (target - Vector3d.Dot(in _normal, in acceleration)) * _perLoad;
         acceleration += load * _pushV;
         spinAcceleration += load * _pushW;
 
         // The change of slip due to F: F − r n × (n × F)/(α r) = (1 + α)/α F.
-        Vector3d slip = askedAlong - acceleration - (_radius * Vector3d.Cross(in _normal, in spinAcceleration));
+        Vector3d slip = targetAlong - acceleration - (_radius * Vector3d.Cross(in _normal, in spinAcceleration));
         friction = _share * SurfaceSystem.Tangential(in slip, in _normal);
         acceleration += friction;
         spinAcceleration -= _perTurn * Vector3d.Cross(in _normal, in friction);

@@ -20,7 +20,7 @@ internal sealed class PlacementLog
     {
         for (int i = 0; i < bodies.Count; i++)
         {
-            if (bodies.IsTold(i))
+            if (bodies.WasMoved(i))
             {
                 Add(new Entry(tick, i, bodies[i].Motion));
             }
@@ -32,7 +32,7 @@ internal sealed class PlacementLog
     {
         for (int i = FirstAt(tick); i < _end && _entries[i].Tick == tick; i++)
         {
-            bodies.Tell(_entries[i].Body, in _entries[i].Motion);
+            bodies.Repeat(_entries[i].Body, in _entries[i].Motion);
         }
     }
 

@@ -242,7 +242,7 @@ public sealed class Rollback
         // Track this even if no positions are stored: the last tick with a moved body limits how far back a rollback can go.
         for (int i = 0; i < bodies.Count && _bodiesMoved < tick; i++)
         {
-            _bodiesMoved = bodies.IsTold(i) ? tick : _bodiesMoved;
+            _bodiesMoved = bodies.WasMoved(i) ? tick : _bodiesMoved;
         }
     }
 

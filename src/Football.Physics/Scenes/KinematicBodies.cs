@@ -169,15 +169,15 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         {
             // The game may already have moved a body for the time after the jump.
             KinematicBody body = _bodies[i];
-            bool isTold = IsTold(i);
-            if (isTold ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
+            bool wasMoved = WasMoved(i);
+            if (wasMoved ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
             {
                 RigidMotion motion = body.Motion;
                 motion.Time = to + (motion.Time - from);
                 body.Motion = motion;
             }
 
-            if (isTold && !body.IsWithdrawn)
+            if (wasMoved && !body.IsWithdrawn)
             {
                 _earliest = Math.Min(_earliest, body.Time);
                 _latest = Math.Max(_latest, body.Time);
@@ -186,7 +186,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     }
 
     /// <summary>Records that the game moved a body for the next step.</summary>
-    internal void Told(KinematicBody body, double time)
+    internal void RecordMove(KinematicBody body, double time)
     {
         // A look-ahead restores the bodies afterwards, so ignore its moves.
         if (_lookAhead)
@@ -196,20 +196,20 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = Math.Min(_earliest, time);
         _latest = Math.Max(_latest, time);
-        body.ToldAt = _steps;
+        body.MovedAt = _steps;
     }
 
     /// <summary>Records that the game withdrew a body, which takes effect with the next step.</summary>
-    internal void Told(KinematicBody body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
+    internal void RecordWithdrawal(KinematicBody body) => body.MovedAt = _lookAhead ? body.MovedAt : _steps;
 
     /// <summary>True if the game has moved a body since the last step.</summary>
-    internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
+    internal bool WasMoved(int body) => _bodies[body].MovedAt == _steps;
 
     /// <summary>Moves a body for the next step, as if the game had done so.</summary>
-    internal void Tell(int body, in RigidMotion motion)
+    internal void Repeat(int body, in RigidMotion motion)
     {
         _bodies[body].Motion = motion;
-        _bodies[body].ToldAt = _steps;
+        _bodies[body].MovedAt = _steps;
     }
 
     private void RefuseTime(double now)
@@ -217,7 +217,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         for (int i = 0; i < Count; i++)
         {
             // Name the first body with a wrong time.
-            if (_bodies[i].ToldAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
+            if (_bodies[i].MovedAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
                     Check.Item("bodies", i) + ".time",

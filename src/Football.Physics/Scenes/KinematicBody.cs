@@ -86,7 +86,7 @@ public sealed class KinematicBody
 
         // A body that disappears cannot cause a hit that a cached search would miss.
         _all.Update(this, in before);
-        _all.Told(this);
+        _all.RecordWithdrawal(this);
     }
 
     /// <summary>Sets the position and velocity, and brings the body into play. The orientation stays the same.</summary>
@@ -151,7 +151,7 @@ public sealed class KinematicBody
         // Notify the broad phase and recorders last, when the new motion is complete.
         _all.Moved(jump, time, again);
         _all.Update(this, in before);
-        _all.Told(this, time);
+        _all.RecordMove(this, time);
     }
 
     /// <summary>Changes the velocity in an impact.</summary>
@@ -190,7 +190,7 @@ public sealed class KinematicBody
     }
 
     /// <summary>The number of steps checked before the last move.</summary>
-    internal long ToldAt { get; set; } = -1;
+    internal long MovedAt { get; set; } = -1;
 
     /// <summary>Returns a bounding box at a time.</summary>
     internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);

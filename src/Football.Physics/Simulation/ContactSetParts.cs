@@ -56,7 +56,7 @@ internal sealed partial class ContactSetParts
 
         double part = LengthOfPart(in run, Part);
         bool taken = false;
-        int named = 0;
+        int changes = 0;
         while (run.Left > 0 && !run.Log.Halted)
         {
             // Find the touched surfaces; the solver then determines which of them have a load.
@@ -109,7 +109,7 @@ internal sealed partial class ContactSetParts
             }
 
             Move(ref s, ref run, set, ref next);
-            Name(ref s, set, ref named, ref run);
+            Name(ref s, set, ref changes, ref run);
             last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);
             before = set.Length;
@@ -200,8 +200,8 @@ internal sealed partial class ContactSetParts
 
     /// <summary>Returns the length of equal parts for the rest of a step, s.</summary>
     /// <remarks>If only a few parts are left, each is longer.</remarks>
-    private static double LengthOfPart(in StepRun run, double asked) =>
-        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
+    private static double LengthOfPart(in StepRun run, double requested) =>
+        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / requested)));
 
     /// <summary>Computes the forces on the ball without contact forces, for one part of a step.</summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
@@ -301,7 +301,7 @@ internal sealed partial class ContactSetParts
     /// <summary>Updates the carrier and the motion state.</summary>
     /// <remarks>The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
     /// The ball slides if the carrier slips; otherwise it rolls.</remarks>
-    private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
+    private void Name(ref BallState s, scoped Span<Contact> set, ref int changes, ref StepRun run)
     {
         int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
         if (named < 0)
@@ -313,7 +313,7 @@ internal sealed partial class ContactSetParts
         s.Carrier = contact.Collider + _world.FirstCollider;
         Collider collider = _world.Colliders[contact.Collider];
         double slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(collider, s.Position, in contact.Normal, s.Time), s.Spin, in contact.Normal, _around.Radius).Length;
-        if (told >= MostNames)
+        if (changes >= MostNames)
         {
             return;
         }
@@ -321,12 +321,12 @@ internal sealed partial class ContactSetParts
         // Hysteresis: a slip starts at a higher threshold than it ends, so that a small slip does not toggle from part to part.
         if (slip < ContactTolerances.Rolling && s.Motion != MotionState.Rolling)
         {
-            told++;
+            changes++;
             _contact.StartRolling(ref s, ref run);
         }
         else if (slip > ContactTolerances.ReportedSlip && s.Motion == MotionState.Rolling)
         {
-            told++;
+            changes++;
             _contact.StartSliding(ref s, ref run);
         }
     }

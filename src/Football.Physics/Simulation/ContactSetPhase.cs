@@ -287,7 +287,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Returns the longest piece that stability, nets, turning slips and turning normals allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in ContactSystem system, ref StepRun run)
     {
-        double asked = run.Next;
+        double requested = run.Next;
         double damping = 0;
         double gain = 0;
         double turning = 0;
@@ -295,15 +295,15 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         {
             ref readonly SetContact contact = ref system.Contacts[i];
             damping = Math.Max(damping, contact.Damping);
-            gain += contact.Bears && !contact.Sticks ? asked * contact.Sliding * contact.Load : 0;
+            gain += contact.Bears && !contact.Sticks ? requested * contact.Sliding * contact.Load : 0;
             turning = Math.Max(turning, contact.Turning.Length);
         }
 
         double h = _limit.PartOf(
-            ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
+            ref _around.Air, requested, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
-        run.Keep(h, asked);
+        run.Keep(h, requested);
         return ShortenForSlips(in system, in from, h, run.Length);
     }
 

@@ -135,9 +135,9 @@ internal sealed class FlightPhase<TIntegrator>
         hasAxis = !_around.Air.HasOwnForces && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
         // Take the longest stable piece. If it is shorter than requested, use this length for later parts too.
-        double asked = run.Next;
-        h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
-        run.Keep(h, asked);
+        double requested = run.Next;
+        h = Longest(in s, in u, requested, hasAxis && !_around.Air.Varies, ref run.Spirals);
+        run.Keep(h, requested);
         return true;
     }
 
@@ -312,9 +312,9 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Returns the longest piece that stability allows, s.</summary>
-    private double Longest(in BallState s, in Vector3d u, double asked, bool isPlain, ref bool spirals)
+    private double Longest(in BallState s, in Vector3d u, double requested, bool isPlain, ref bool spirals)
     {
-        double h = asked;
+        double h = requested;
         double speedSquared = u.LengthSquared;
         if (!isPlain)
         {
@@ -322,14 +322,14 @@ internal sealed class FlightPhase<TIntegrator>
             double most = Math.Sqrt(speedSquared) + _fastestWind;
 
             // Try the cheap bound first. If it fails, use a tighter one; in a wind field, use the ball's actual airspeed.
-            h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
-                ? asked
-                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
+            h = requested * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
+                ? requested
+                : _limit.PartOf(ref _around.Air, requested, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
             h = _nets.LongestPiece(in s, h);
         }
         else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, false))
         {
-            h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
+            h = _limit.PartOf(ref _around.Air, requested, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
         // With some integrators, a ball would return from a hop faster than it left, and its bounces would grow: divide the fall.

@@ -142,7 +142,7 @@ internal ref struct StepRun
     {
         Pieces = Pieces,
         Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation,
-        Events = Told,
+        Events = Reported,
         Splits = Splits,
         AllImpacts = AllImpacts,
         Impacts = Impacts,
@@ -162,10 +162,10 @@ internal ref struct StepRun
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - ContactTolerances.StepRounding) : Left;
 
     /// <summary>True if the step has reported so many events that slow impacts are only counted.</summary>
-    public readonly bool IsCrowded => Told >= MostInCrowd;
+    public readonly bool IsCrowded => Reported >= MostInCrowd;
 
     /// <summary>Number of events of this step so far, without zone events.</summary>
-    private readonly int Told => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
+    private readonly int Reported => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False if the step has used up its pieces or its evaluations.</returns>
@@ -182,7 +182,7 @@ internal ref struct StepRun
     }
 
     /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
-    public void Keep(double part, double asked) => Part = part < asked ? part : Part;
+    public void Keep(double part, double requested) => Part = part < requested ? part : Part;
 
     /// <summary>Counts an impact, and divides the rest of the step from scratch.</summary>
     /// <returns>True if the ball may bounce.</returns>
@@ -215,7 +215,7 @@ internal ref struct StepRun
     /// <param name="added">The energy that a bumper added, J.</param>
     public readonly void Report(BallEventKind kind, long thing, in Vector3d normal, in BallState s, in Vector3d velocity, in Vector3d spin, double added = 0)
     {
-        if (StepBudget.Reports(kind, Told, Length))
+        if (StepBudget.Reports(kind, Reported, Length))
         {
             Log.Events.Add(new BallEvent(kind, (int)thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin) { AddedEnergy = added });
         }

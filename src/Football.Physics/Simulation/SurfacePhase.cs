@@ -365,19 +365,19 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Returns the longest piece that stability, nets, borders and the turning normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
     {
-        double asked = run.Next;
+        double requested = run.Next;
         Collider carrier = _world.CarrierOf(in s);
         ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
-        double gain = s.Motion == MotionState.Sliding ? asked * material.SlidingFriction * on.Load : 0;
+        double gain = s.Motion == MotionState.Sliding ? requested * material.SlidingFriction * on.Load : 0;
         double h = _limit.PartOf(
-            ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _world.Ball.MomentOfInertia, gain);
+            ref _around.Air, requested, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _world.Ball.MomentOfInertia, gain);
 
         // |ṅ| h bounds the rotation of the normal. Nets and the narrowest material border also limit the piece.
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         h = SurfaceBorder.LongestPiece(carrier, on.Velocity.Length, h);
-        run.Keep(h, asked);
+        run.Keep(h, requested);
         return h;
     }
 

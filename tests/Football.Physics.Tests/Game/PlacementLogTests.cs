@@ -24,7 +24,7 @@ public sealed class PlacementLogTests
                     if (random.Next(3) == 0)
                     {
                         RigidMotion motion = Any(random);
-                        bodies.Tell(i, in motion);
+                        bodies.Repeat(i, in motion);
                         list.Add((tick, i, motion));
                     }
                 }
@@ -54,7 +54,7 @@ public sealed class PlacementLogTests
                 for (int i = 0; i < others.Count; i++)
                 {
                     (long Tick, int Body, RigidMotion Motion)[] told = [.. list.Where(at => at.Tick == any && at.Body == i)];
-                    Assert.Equal(told.Length > 0, others.IsTold(i));
+                    Assert.Equal(told.Length > 0, others.WasMoved(i));
                     Assert.True(told.Length == 0 || Same(told[^1].Motion, others[i].Motion));
                 }
             }
@@ -77,7 +77,7 @@ public sealed class PlacementLogTests
                 for (int i = 0; i < others.Count; i++)
                 {
                     (long Tick, int Body, RigidMotion Motion)[] told = [.. list.Where(entry => entry.Tick == at && at >= from && at < to && entry.Body == i)];
-                    Assert.Equal(told.Length > 0, others.IsTold(i));
+                    Assert.Equal(told.Length > 0, others.WasMoved(i));
                     Assert.True(told.Length == 0 || Same(told[^1].Motion, others[i].Motion));
                 }
             }

@@ -181,7 +181,7 @@ public sealed class RecordingFormatTests
         KinematicBodies bodies = Bodies(count);
         bodies.ForgetTimes();
         RigidMotion motion = bodies[count - 1].Motion;
-        bodies.Tell(count - 1, in motion);
+        bodies.Repeat(count - 1, in motion);
         return bodies;
     }
 

@@ -66,13 +66,13 @@ internal sealed class PlaneNewton
             Time = _problem.Time;
 
             // A rehearsed flight with long steps only predicts a hit: confirm the hit with shorter steps.
-            bool hits = isSure && Miss <= _problem.Tolerance && !(through && _step.ThroughAsked(R) > _problem.ThroughTolerance);
+            bool hits = isSure && Miss <= _problem.Tolerance && !(through && _step.ThroughError(R) > _problem.ThroughTolerance);
             if ((hits && through) || !_step.Solve(_problem, X, R, out bool sameHeld))
             {
                 return hits;
             }
 
-            double size = Asked(R);
+            double size = ErrorOf(R);
             bool isForetold = sameHeld && (isKnown || !through || flights >= LeastFlights);
             if (Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && isForetold && !_problem.IsFine)
             {
@@ -140,10 +140,10 @@ internal sealed class PlaneNewton
         }
 
         // Trust the contraction of the rehearsal only if the flight misses by less than the guess did.
-        isKnown = isRehearsed && Asked(R) < rehearsed;
+        isKnown = isRehearsed && ErrorOf(R) < rehearsed;
         if (isKnown)
         {
-            before = Asked(R) / contraction;
+            before = ErrorOf(R) / contraction;
             return true;
         }
 
@@ -168,7 +168,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        first = Asked(R);
+        first = ErrorOf(R);
         double size = first;
         for (int i = 0; i <= most && _step.Solve(_problem, X, R, out _); i++)
         {
@@ -185,7 +185,7 @@ internal sealed class PlaneNewton
             }
 
             TakeFlown();
-            double next = Asked(R);
+            double next = ErrorOf(R);
 
             // Apply a lower bound, because one lucky correction does not predict the next one.
             contraction = Math.Max(next / size, _patience.LeastContraction);
@@ -204,11 +204,11 @@ internal sealed class PlaneNewton
     }
 
     /// <summary>Returns the combined miss at target and waypoint, in m. It ignores the directions whose spin is at its limit.</summary>
-    private double Asked(double[] r)
+    private double ErrorOf(double[] r)
     {
         double miss = PlaneProblem.MissOf(r);
-        double asked = _problem.HasThrough ? _step.ThroughAsked(r) : 0;
-        return asked > 0 ? Math.Sqrt((miss * miss) + (asked * asked)) : miss;
+        double through = _problem.HasThrough ? _step.ThroughError(r) : 0;
+        return through > 0 ? Math.Sqrt((miss * miss) + (through * through)) : miss;
     }
 
     /// <summary>Accepts the step that was simulated, and updates the Jacobian.</summary>

@@ -44,7 +44,7 @@ internal sealed class PlaneStep
     }
 
     /// <summary>Returns the miss at the waypoint, in m. It ignores the directions whose spin is at its limit.</summary>
-    public double ThroughAsked(double[] r)
+    public double ThroughError(double[] r)
     {
         double left = _held[PlaneProblem.Side] ? 0 : r[PlaneProblem.ThroughLeft];
         double up = _held[PlaneProblem.Top] ? 0 : r[PlaneProblem.ThroughUp];

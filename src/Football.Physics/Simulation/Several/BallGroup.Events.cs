@@ -4,19 +4,19 @@ namespace FootballPhysics;
 public sealed partial class BallGroup
 {
     /// <summary>Adds the counts, and the events of all balls ordered by time and then by ball.</summary>
-    private void Tell(StepLog log)
+    private void Report(StepLog log)
     {
         log.Steps += _flown.Steps;
         log.Evaluations += _flown.Evaluations;
         log.StalledSteps += _flown.StalledSteps;
         log.UnreportedImpacts += _flown.UnreportedImpacts;
-        int told = 0;
+        int reported = 0;
         for (int i = 0; i < Count; i++)
         {
             // Skip balls of the cluster: their steps were repeated, and only the repeated steps are logged.
             for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
             {
-                Insert(in _flown.Events[k], told++);
+                Insert(in _flown.Events[k], reported++);
             }
         }
 
@@ -30,11 +30,11 @@ public sealed partial class BallGroup
             log.UnreportedImpacts += own.UnreportedImpacts;
             for (int e = 0; e < own.Events.Count; e++)
             {
-                Insert(in own.Events[e], told++);
+                Insert(in own.Events[e], reported++);
             }
         }
 
-        for (int k = 0; k < told; k++)
+        for (int k = 0; k < reported; k++)
         {
             log.Events.Add(in _told[k]);
         }

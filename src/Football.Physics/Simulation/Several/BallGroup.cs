@@ -241,7 +241,7 @@ public sealed partial class BallGroup
 
         if (log is not null)
         {
-            Tell(log);
+            Report(log);
         }
 
         return ended;

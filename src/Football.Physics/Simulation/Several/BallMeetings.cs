@@ -77,7 +77,7 @@ internal sealed class BallMeetings
             Array.Resize(ref _pairs, 2 * Count);
         }
 
-        _pairs[Count++] = new Pair { Ball = ball, Other = other, Asked = -1 };
+        _pairs[Count++] = new Pair { Ball = ball, Other = other, Changes = -1 };
     }
 
     /// <summary>Returns the time at which a pair touches, s; infinite if it does not.</summary>
@@ -86,19 +86,19 @@ internal sealed class BallMeetings
     /// <param name="atEnd">Whether to include a contact exactly at that time.</param>
     public double TimeOf(int pair, double until, bool atEnd)
     {
-        ref Pair asked = ref _pairs[pair];
+        ref Pair known = ref _pairs[pair];
 
         // The sum changes if either path changes.
-        int changes = _changes[asked.Ball] + _changes[asked.Other];
-        if (asked.Asked != changes)
+        int changes = _changes[known.Ball] + _changes[known.Other];
+        if (known.Changes != changes)
         {
-            BallTrial mine = _trials[asked.Ball];
-            BallTrial its = _trials[asked.Other];
-            asked.Asked = changes;
-            asked.Time = mine.Meets(its, _radii[asked.Ball] + _radii[asked.Other], Math.Max(mine.From, its.From), until, atEnd);
+            BallTrial mine = _trials[known.Ball];
+            BallTrial its = _trials[known.Other];
+            known.Changes = changes;
+            known.Time = mine.Meets(its, _radii[known.Ball] + _radii[known.Other], Math.Max(mine.From, its.From), until, atEnd);
         }
 
-        return asked.Time;
+        return known.Time;
     }
 
     private struct Pair
@@ -107,7 +107,7 @@ internal sealed class BallMeetings
         public int Other;
 
         /// <summary>Number of path changes at the last search; −1 if there was none.</summary>
-        public int Asked;
+        public int Changes;
 
         /// <summary>Contact time, s.</summary>
         public double Time;

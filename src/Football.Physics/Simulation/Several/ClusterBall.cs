@@ -88,7 +88,7 @@ internal struct ClusterRow
     public Vector3d AlongW;
     public Vector3d OtherAlongV;
     public Vector3d OtherAlongW;
-    public double Asked;
+    public double Target;
 
     /// <summary>The accelerations of both balls by a unit force.</summary>
     public Vector3d PushV;

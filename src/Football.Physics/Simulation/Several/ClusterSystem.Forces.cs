@@ -34,9 +34,9 @@ internal sealed partial class ClusterSystem
         for (int i = 0; i < size; i++)
         {
             ref readonly ClusterRow row = ref _rows[i];
-            _asked[i] = row.Asked - Along(in row);
-            _x[i] = _asked[i];
-            largest = Math.Max(largest, Math.Abs(_asked[i]));
+            _target[i] = row.Target - Along(in row);
+            _x[i] = _target[i];
+            largest = Math.Max(largest, Math.Abs(_target[i]));
             for (int j = 0; j < size; j++)
             {
                 _g[(i * size) + j] = Response(in row, in _rows[j]);
@@ -86,7 +86,7 @@ internal sealed partial class ClusterSystem
         Vector3d n = on.Normal;
         load.AlongV = n;
         load.OtherAlongV = -n;
-        load.Asked = -on.Centripetal;
+        load.Target = -on.Centripetal;
         Push(ref load, in n, on.Sticks ? default : -on.Sliding * on.SlipDirection, in n);
         ref readonly ClusterBall ball = ref Balls[contact.First];
         if (contact.Second >= 0)
@@ -104,9 +104,9 @@ internal sealed partial class ClusterSystem
             // The slip rate: t·(v̇₁ − v̇₂ + n × (r₁ ω̇₁ + r₂ ω̇₂)) = t·(A − ṅ × (r₁ ω₁ + r₂ ω₂)).
             Vector3d turning = ball.Radius * ball.At.Spin;
             turning += contact.Second < 0 ? Vector3d.Zero : Balls[contact.Second].Radius * Balls[contact.Second].At.Spin;
-            Vector3d asked = on.SurfaceRate - Vector3d.Cross(in on.Turning, in turning);
-            AddStick(ref Begin(size++, in contact), in n, in on.First, in asked);
-            AddStick(ref Begin(size++, in contact), in n, in on.Second, in asked);
+            Vector3d target = on.SurfaceRate - Vector3d.Cross(in on.Turning, in turning);
+            AddStick(ref Begin(size++, in contact), in n, in on.First, in target);
+            AddStick(ref Begin(size++, in contact), in n, in on.Second, in target);
         }
 
         if (contact.HoldsTwist)
@@ -116,7 +116,7 @@ internal sealed partial class ClusterSystem
             ref ClusterRow twist = ref Begin(size++, in contact);
             twist.AlongW = ball.Radius * n;
             twist.OtherAlongW = -ball.Radius * n;
-            twist.Asked = -ball.Radius * Vector3d.Dot(in on.Turning, ball.At.Spin - other.At.Spin);
+            twist.Target = -ball.Radius * Vector3d.Dot(in on.Turning, ball.At.Spin - other.At.Spin);
             twist.PushW = ball.Radius * ball.PerInertia * n;
             twist.OtherPushW = -ball.Radius * other.PerInertia * n;
         }
@@ -130,12 +130,12 @@ internal sealed partial class ClusterSystem
         return ref _rows[row];
     }
 
-    private void AddStick(ref ClusterRow row, in Vector3d n, in Vector3d along, in Vector3d asked)
+    private void AddStick(ref ClusterRow row, in Vector3d n, in Vector3d along, in Vector3d target)
     {
         Vector3d turned = Vector3d.Cross(in along, in n);
         row.AlongV = along;
         row.AlongW = Balls[row.First].Radius * turned;
-        row.Asked = Vector3d.Dot(in asked, in along);
+        row.Target = Vector3d.Dot(in target, in along);
         if (row.Second >= 0)
         {
             row.OtherAlongV = -along;
@@ -249,7 +249,7 @@ internal sealed partial class ClusterSystem
     {
         for (int i = 0; i < size; i++)
         {
-            double left = _asked[i];
+            double left = _target[i];
             for (int j = 0; j < size; j++)
             {
                 left -= _g[(i * size) + j] * _x[j];

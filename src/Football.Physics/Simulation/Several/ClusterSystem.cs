@@ -22,7 +22,7 @@ internal sealed partial class ClusterSystem
     private readonly ClusterRow[] _rows;
     private readonly double[] _g;
     private readonly double[] _x;
-    private readonly double[] _asked;
+    private readonly double[] _target;
 
     /// <param name="room">Memory for the equations, shared by all clusters of a group.</param>
     public ClusterSystem(ClusterRoom room)
@@ -30,7 +30,7 @@ internal sealed partial class ClusterSystem
         _rows = room.Rows;
         _g = room.G;
         _x = room.X;
-        _asked = room.Asked;
+        _target = room.Target;
     }
 
     /// <summary>The balls.</summary>
@@ -241,7 +241,7 @@ internal sealed class ClusterRoom
     public double[] X { get; } = new double[ClusterSystem.MostRows];
 
     /// <inheritdoc cref="G"/>
-    public double[] Asked { get; } = new double[ClusterSystem.MostRows];
+    public double[] Target { get; } = new double[ClusterSystem.MostRows];
 
     /// <summary>The paths.</summary>
     public BallTrial Way { get; } = new();

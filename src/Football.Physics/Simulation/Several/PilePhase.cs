@@ -13,7 +13,7 @@ internal sealed class PilePhase
     private const int MostPassages = 8;
 
     /// <summary>Below this speed no slide or roll is reported, m/s: in a pile a ball may alternately slip and grip.</summary>
-    private const double ToldSpeed = 0.05;
+    private const double ReportedSpeed = 0.05;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -134,13 +134,13 @@ internal sealed class PilePhase
         }
 
         bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding;
-        bool tells = s.Velocity.Length > ToldSpeed;
+        bool reports = s.Velocity.Length > ReportedSpeed;
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        Tell(in s, BallEventKind.Pinned, -1, Vector3d.Zero, in w, s.Motion == MotionState.Pinned, log);
+        Report(in s, BallEventKind.Pinned, -1, Vector3d.Zero, in w, s.Motion == MotionState.Pinned, log);
         if (carrier < 0)
         {
-            Tell(in s, BallEventKind.ContactEnd, -1, Vector3d.Zero, in w, wasCarried && tells, log);
+            Report(in s, BallEventKind.ContactEnd, -1, Vector3d.Zero, in w, wasCarried && reports, log);
             s.Motion = MotionState.Airborne;
             s.Carrier = 0;
             s.SetFlightSpin(in w);
@@ -159,7 +159,7 @@ internal sealed class PilePhase
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
         bool changed = !same || before != s.Motion;
-        Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
+        Report(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && reports, log);
     }
 
     /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another
@@ -176,7 +176,7 @@ internal sealed class PilePhase
         s.SetGroundSpin(in w);
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        Tell(in s, BallEventKind.Pinned, (int)s.Carrier, in n, in w, begins, log);
+        Report(in s, BallEventKind.Pinned, (int)s.Carrier, in n, in w, begins, log);
     }
 
     /// <summary>Brings the ball to rest in the pile.</summary>
@@ -199,9 +199,9 @@ internal sealed class PilePhase
         s.Velocity = Vector3d.Zero;
     }
 
-    private static void Tell(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool tells, StepLog log)
+    private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool reports, StepLog log)
     {
-        if (tells)
+        if (reports)
         {
             log.Report(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
         }
