@@ -64,11 +64,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double vy = s.Flight.Velocity.Y;
         double vz = s.Flight.Velocity.Z;
         double spin = s.Flight.SpinRate;
-        double y = s.Position.Y;
+        Vector3d position = s.Position;
         DragBranch branch = s.Branch;
 
         // Leave a slide along the jump, and a descent at contact height, to the piecewise method.
-        if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        if (branch >= DragBranch.AlongCriticalSpeed || (position.Y <= _contactHeight && vy < 0))
         {
             return WholeStep.NotTaken;
         }
@@ -80,8 +80,9 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
 
         // In a wind field, add the maximum wind speed to the airspeed.
-        double most = _air.HasField ? Math.Sqrt(speedSquared) + _fastestWind : 0;
-        double mostSquared = _air.HasField ? most * most : speedSquared;
+        bool hasField = _air.HasField;
+        double most = hasField ? Math.Sqrt(speedSquared) + _fastestWind : 0;
+        double mostSquared = hasField ? most * most : speedSquared;
 
         if (_air.Jumps)
         {
@@ -92,7 +93,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         // Use pieces if the hop limit, stability or the broad phase requires them.
         bool covered = _air.Covers(speedSquared, spin, dt);
         bool acts = _air.Acts;
-        if ((_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
+        if ((_integrator.GainsByHops && _limit.WithinHop(dt, position.Y - _contactHeight, vy) < dt)
             || (acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered)))
         {
             return WholeStep.NotTaken;
@@ -112,10 +113,8 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         log.Evaluations += _integrator.Stages;
 
         // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump in the drag law.
-        double height = y + (step.Path.Y + (dt * _wind.Y));
-        double climb = step.AirVelocity.Y + _wind.Y;
-        if (height < _contactHeight || (vy < 0 && climb > 0)
-            || step.SpinRate < 0
+        double height = position.Y + (step.Path.Y + (dt * _wind.Y));
+        if (height < _contactHeight || (vy < 0 && step.AirVelocity.Y + _wind.Y > 0) || step.SpinRate < 0
             || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, dt)))
         {
             s.Flight.Velocity = new Vector3d(vx, vy, vz);
@@ -124,9 +123,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
 
         // There is no event: move the ball.
-        Vector3d position = s.Position;
         double time = s.Time;
-        Move(ref s, height, dt, end, in step);
+        s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
+        s.Angle += step.Turn;
+        s.AirDistance += hasField ? step.AirDistance : 0;
+        s.Time = end;
         log.Steps++;
         if (log.IsWatched)
         {
@@ -166,20 +167,6 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         {
             base.EndAcceleration(in s, h, out acceleration);
         }
-    }
-
-    /// <summary>Sets the position, the angle and the clock at the end of a step without an event.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Move(ref BallState s, double height, double dt, double end, in FlightStep step)
-    {
-        s.Position = new Vector3d(s.Position.X + (step.Path.X + (dt * _wind.X)), height, s.Position.Z + (step.Path.Z + (dt * _wind.Z)));
-        s.Angle += step.Turn;
-        if (_air.HasField)
-        {
-            s.AirDistance += step.AirDistance;
-        }
-
-        s.Time = end;
     }
 
     /// <summary>True if a step may have crossed the jump in the drag law.</summary>

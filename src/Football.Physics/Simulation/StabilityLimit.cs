@@ -108,7 +108,7 @@ internal readonly struct StabilityLimit
         }
 
         // Allow half of the change for each of the two parts of P |u| + Q |ω| + C. This avoids a square root.
-        RateBound bound = BoundAt(speedSquared);
+        RateBound bound = speedSquared <= UsualSpeed * UsualSpeed ? _usual : _bound;
         double bySpeed = h * bound.PerSpeed;
         double bySpin = h * ((bound.PerSpin * spinRate) + bound.Constant);
         return !(bySpeed * bySpeed * Math.Max(speedSquared, StillAir) > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
@@ -117,10 +117,7 @@ internal readonly struct StabilityLimit
     /// <summary>Upper bound of the rate at which any force changes the motion, 1/s.</summary>
     /// <param name="speed">|u|, or an upper bound of it, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
-    public double RateAtMost(double speed, double spinRate) => BoundAt(speed * speed).At(speed, spinRate);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private RateBound BoundAt(double speedSquared) => speedSquared <= UsualSpeed * UsualSpeed ? _usual : _bound;
+    public double RateAtMost(double speed, double spinRate) => (speed <= UsualSpeed ? _usual : _bound).At(speed, spinRate);
 
     /// <summary>Returns the longest of equal parts of a step in which no force overshoots, s.</summary>
     /// <param name="air">The air.</param>

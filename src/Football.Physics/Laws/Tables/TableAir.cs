@@ -69,7 +69,7 @@ internal struct TableAir<TLaw> : IFlightAir
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h) =>
-        _range.Holds(speedSquared, spinRate, h) && _range.HoldsSpin(speedSquared, _radiusSquared * spinRate * spinRate, h);
+        _range.Holds(speedSquared, spinRate, _radiusSquared * spinRate * spinRate, h);
 
     /// <summary>Returns true if the tables hold at a single point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -226,34 +226,29 @@ internal readonly struct TableRange
         _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
-    /// <summary>Returns true if the speed stays within the tables.</summary>
+    /// <summary>Returns true if speed and spin parameter stay within the tables at every stage.</summary>
+    /// <param name="speedSquared">|u|² at the start, m²/s².</param>
+    /// <param name="spinRate">|ω| at the start, rad/s.</param>
+    /// <param name="surfaceSquared">(r|ω|)².</param>
+    /// <param name="h">The length of the step, in s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Holds(double speedSquared, double spinRate, double h)
+    public bool Holds(double speedSquared, double spinRate, double surfaceSquared, double h)
     {
+        // The spin parameter starts below 20 and stays below 32: (0.74 |u| − h g)² ≥ 0.41 |u|² − 3 (h g)², and 400/0.41 and 3072/3 are at most 32².
+        const double Largest = LargestSpinParameter * LargestSpinParameter;
+        double fall = h * _gravity;
+        bool spins = surfaceSquared + (3072.0 * fall * fall) < Largest * speedSquared && surfaceSquared < FastestSurface * FastestSurface;
         if (h <= _short)
         {
-            return speedSquared > _leastSquare && speedSquared < _mostSquare;
+            return spins && speedSquared > _leastSquare && speedSquared < _mostSquare;
         }
 
         // For a longer step, bound the changes by gravity, drag and lift at this speed and spin.
-        double fall = h * _gravity;
         double least = Slower * (_slowest + fall);
         double most = _fastest - fall;
         double bySpeed = h * _perSpeed;
         double left = LargestChange - (h * _perSpin * spinRate);
-        return speedSquared > least * least && most > 0 && speedSquared < most * most && left > 0 && bySpeed * bySpeed * speedSquared < left * left;
-    }
-
-    /// <summary>Returns true if the spin parameter starts below <see cref="LargestSpinParameter"/> and stays below 32 at every stage.</summary>
-    /// <param name="speedSquared">|u|².</param>
-    /// <param name="surfaceSquared">(r|ω|)².</param>
-    /// <param name="h">The length of the step, in s.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
-    {
-        // (0.74 |u| − h g)² ≥ 0.41 |u|² − 3 (h g)², and 400/0.41 and 3072/3 are at most 32².
-        const double Largest = LargestSpinParameter * LargestSpinParameter;
-        double fall = h * _gravity;
-        return surfaceSquared + (3072.0 * fall * fall) < Largest * speedSquared && surfaceSquared < FastestSurface * FastestSurface;
+        return spins && speedSquared > least * least && most > 0 && speedSquared < most * most
+            && left > 0 && bySpeed * bySpeed * speedSquared < left * left;
     }
 }
