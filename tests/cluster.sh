@@ -85,18 +85,21 @@ same "GNU parallel, 16 shards" "$work/parallel"
 dask_port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
 (cd "$work" && exec /usr/bin/python3 /usr/bin/dask-scheduler --host 127.0.0.1 --port "$dask_port" --no-dashboard > "$work/dask-scheduler.log" 2>&1) &
 pids+=($!)
-for worker in 1 2; do
+start_worker() {
   # A group of its own, so that a machine's end can be played.
-  (cd "$work" && exec setsid /usr/bin/python3 /usr/bin/dask-worker "tcp://127.0.0.1:$dask_port" --no-nanny --no-dashboard --nthreads 1 --name "$worker" > "$work/dask-$worker.log" 2>&1) &
-  workers[worker]=$!
+  (cd "$work" && exec setsid /usr/bin/python3 /usr/bin/dask-worker "tcp://127.0.0.1:$dask_port" --no-nanny --no-dashboard --nthreads 1 --name "$1" > "$work/dask-$1.log" 2>&1) &
   pids+=($!)
-done
+}
+start_worker 1
+killed=$!
 ROWS=$work/dask /usr/bin/python3 samples/cluster/dask_sweep.py "tcp://127.0.0.1:$dask_port" 8 > "$work/dask.out" 2>&1 &
 dask=$!
 pids+=("$dask")
 certain() { grep -qs '"rows": [1-9]' "$work"/dask/shard-*/checkpoint.json; }
 until_true 60 "rows by Dask" certain
-kill -9 -- "-${workers[1]}"
+kill -9 -- "-$killed"
+# The second worker starts late: all rows until now are those of the first.
+start_worker 2
 wait "$dask" || { cp "$work/dask.out" "$log"; fail "Dask"; }
 # The other worker has resumed a shard: less than all of its rows were left.
 resumed=$(awk -v all=$(( COUNT / 8 )) '{ for (i = 2; i < NF; i++) if ($(i + 1) == "of" && $(i + 2) == "them" && $i < all) { print; exit } } /all there before/ { print; exit }' "$work/dask.out")
