@@ -30,20 +30,7 @@ internal readonly struct LaneDomain
         _radius = scene.Ball.Radius;
         _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _step = timeStep;
-        _bound = DragBound(scene) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
-    }
-
-    /// <summary>Returns the bound on the drag within the domain. It needs a limit, because the measured law grows with speed.</summary>
-    private static RateBound DragBound(Scene scene)
-    {
-        if (scene.Forces.Drag != ForceLaw.Empirical || scene.Forces.Coefficients != AerodynamicModel.Measured)
-        {
-            return SceneLaws.Drag(scene).Bound;
-        }
-
-        MeasuredLaw law = default;
-        law.Prepare(scene);
-        return law.DragBound(GreatestSpeed);
+        _bound = SceneLaws.DragBound(scene, GreatestSpeed) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
     }
 
     /// <summary>Returns a bound on the acceleration of flights in the domain, in m/s².</summary>

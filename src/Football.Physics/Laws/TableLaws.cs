@@ -1,4 +1,3 @@
-using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
@@ -19,23 +18,20 @@ internal sealed class TableLaws<TLaw> : AirLaws
     public TableLaws(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
-        TLaw law = default;
-        law.Prepare(scene);
         _air = new TableAir<TLaw>(scene);
-        Drags = Acts("forces.drag", forces.Drag);
-        Lifts = Acts("forces.magnus", forces.Magnus);
-        SpinDecays = Acts("forces.spinDecay", forces.SpinDecay);
+        Drags = forces.Drag != ForceLaw.None;
+        Lifts = forces.Magnus != ForceLaw.None;
+        SpinDecays = forces.SpinDecay != ForceLaw.None;
         _ofDrag = drag;
         _ofLift = lift;
 
         // Lift depends on the same C_D as drag, and jumps together with it.
-        Jumps = law.Jumps && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
+        Jumps = _air.Jumps && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
         Bound = BoundUpTo(2.0 * Limits.Speed);
         OrdinaryBound = BoundUpTo(OrdinarySpeed);
 
-        RateBound BoundUpTo(double fastest) => (Drags ? Scaled(law.DragBound(fastest), drag) : default)
-            + (Lifts ? Scaled(law.LiftBound, lift) : default)
-            + (SpinDecays ? law.DecayBound : default);
+        RateBound BoundUpTo(double fastest) =>
+            Scaled(SceneLaws.DragBound(scene, fastest), drag) + Scaled(SceneLaws.Magnus(scene).Bound, lift) + SceneLaws.SpinDecay(scene).Bound;
     }
 
     public override void Factors(
@@ -54,11 +50,4 @@ internal sealed class TableLaws<TLaw> : AirLaws
         lift *= _ofLift;
         return spins;
     }
-
-    private static bool Acts(string field, ForceLaw law) => law switch
-    {
-        ForceLaw.None => false,
-        ForceLaw.Constant or ForceLaw.Empirical => true,
-        _ => throw Check.Unknown(field, law),
-    };
 }

@@ -15,12 +15,6 @@ internal struct InventedLaw : ITableLaw
 
     public readonly LawTables Tables => new(this, new Octaves(-6, 14, 6), new Octaves(0, 8, 7));
 
-    public readonly RateBound LiftBound => new(0, 2 * _k, 0);
-
-    public readonly RateBound DecayBound => new(0, 0, 1);
-
-    public readonly RateBound DragBound(double fastest) => new(_k, 0, 0);
-
     public void Prepare(Scene scene) => _k = AirScale.DynamicArea(scene);
 
     public readonly void OfSpeed(double speed, out LawFactors factors)

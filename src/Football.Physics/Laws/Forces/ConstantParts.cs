@@ -3,10 +3,12 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics.Laws;
 
 /// <summary>The forces with constant coefficients in a scene whose other forces are fitted.</summary>
-/// <remarks>The fitted law computes its own factors first. A scene without constant coefficients pays one predictable branch.</remarks>
+/// <remarks>The fitted law computes all factors first, then these replace theirs. A scene without constant coefficients pays one predictable branch.</remarks>
 internal struct ConstantParts
 {
-    private bool _any;
+    /// <summary>True if any force has a constant coefficient.</summary>
+    public bool Any;
+
     private bool _drags;
     private bool _lifts;
     private bool _decays;
@@ -20,7 +22,7 @@ internal struct ConstantParts
         _drags = forces.Drag == ForceLaw.Constant;
         _lifts = forces.Magnus == ForceLaw.Constant;
         _decays = forces.SpinDecay == ForceLaw.Constant;
-        _any = _drags || _lifts || _decays;
+        Any = _drags || _lifts || _decays;
         _drag = ConstantDrag.Scale(scene);
         _lift = ConstantMagnus.Scale(scene);
         _decay = ConstantSpinDecay.Scale(scene);
@@ -35,12 +37,9 @@ internal struct ConstantParts
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Replace(double speed, double spinRate, ref double drag, ref double lift, ref double decay)
     {
-        if (_any)
-        {
-            // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
-            drag = _drags ? _drag * speed : drag;
-            lift = _lifts ? _lift * (spinRate > 0 ? spinRate : 0) : lift;
-            decay = _decays ? _decay * Math.Abs(spinRate) : decay;
-        }
+        // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
+        drag = _drags ? _drag * speed : drag;
+        lift = _lifts ? _lift * (spinRate > 0 ? spinRate : 0) : lift;
+        decay = _decays ? _decay * Math.Abs(spinRate) : decay;
     }
 }

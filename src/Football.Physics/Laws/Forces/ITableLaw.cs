@@ -26,15 +26,6 @@ internal interface ITableLaw
     /// <summary>The tables of the functions, shared by all scenes with the same functions.</summary>
     LawTables Tables { get; }
 
-    /// <summary>Returns an upper bound on the drag up to a speed, in m/s.</summary>
-    RateBound DragBound(double fastest);
-
-    /// <summary>An upper bound on the lift.</summary>
-    RateBound LiftBound { get; }
-
-    /// <summary>An upper bound on the spin decay.</summary>
-    RateBound DecayBound { get; }
-
     /// <summary>Evaluates the functions of speed.</summary>
     /// <param name="speed">|u| times <see cref="SpeedScale"/>, above 0.</param>
     /// <param name="factors">The values.</param>

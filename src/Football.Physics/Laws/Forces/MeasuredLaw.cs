@@ -5,13 +5,12 @@ namespace FootballPhysics.Laws;
 
 /// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
 /// <remarks>
-/// Functions of the Reynolds number replace functions of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
-/// coefficient is data of this law as well: its functions become the constant 1, and its scale the coefficient or 0. Every mixture runs the same code.
+/// Functions of the Reynolds number replace functions of speed, so that a ball has the same tables in any weather.
 /// </remarks>
 internal struct MeasuredLaw : ITableLaw
 {
-    /// <summary>The tables of each drag curve, kept while the curve is reachable: with no constant coefficient, constant drag, constant lift, and both.</summary>
-    private static readonly ConditionalWeakTable<DragCurve, LawTables>[] Shared = [new(), new(), new(), new()];
+    /// <summary>The tables of each drag curve, kept while the curve is reachable.</summary>
+    private static readonly ConditionalWeakTable<DragCurve, LawTables> Shared = new();
 
     /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
     private static readonly Octaves Reynolds = new(24, 44, 6);
@@ -22,10 +21,8 @@ internal struct MeasuredLaw : ITableLaw
     private DragCurve _curve;
     private ReynoldsDrag _drag;
     private ProportionalSpinDecay _decay;
-    private double _ofDrag; // ½ ρ A / m, times C_D if this is constant; 0 without drag; 1/m
-    private double _ofLift; // ½ ρ A r / m, or C_M π ρ r³ / m; 0 without lift
-    private bool _constantDrag;
-    private bool _constantLift;
+    private double _ofDrag; // ½ ρ A / m, 1/m; 0 without drag
+    private double _ofLift; // ½ ρ A r / m; 0 without lift
     private double _radius;
     private double _perSpeed; // 2r/ν, s/m
 
@@ -38,23 +35,14 @@ internal struct MeasuredLaw : ITableLaw
 
     public readonly double SpeedScale { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _perSpeed; }
 
-    public readonly LawTables Tables
-    {
-        get
-        {
-            // The tables depend only on the curve and the constant coefficients, not on a scene's cut-off.
-            MeasuredLaw law = new() { _constantDrag = _constantDrag, _constantLift = _constantLift, _largest = double.PositiveInfinity };
-            return Shared[(_constantDrag ? 1 : 0) + (_constantLift ? 2 : 0)].GetValue(_curve, curve => law.TablesOf(curve));
-        }
-    }
+    // The tables depend only on the curve, not on a scene's cut-off.
+    public readonly LawTables Tables => Shared.GetValue(_curve, curve => new MeasuredLaw { _largest = double.PositiveInfinity }.TablesOf(curve));
 
-    // The lift bound: C_L |u| ≤ L |u|, or C_M π ρ r³/m |ω| for a constant lift.
-    public readonly RateBound LiftBound => _constantLift ? new(0, Math.Abs(_ofLift), 0) : new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
+    /// <summary>A bound on the lift, C_L |u| ≤ L |u|.</summary>
+    public readonly RateBound LiftBound => new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
 
-    public readonly RateBound DecayBound => _decay.Bound;
-
-    public readonly RateBound DragBound(double fastest) =>
-        new(_ofDrag * (_constantDrag ? 1.0 : _drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+    /// <summary>Returns a bound on the drag up to a speed, in m/s.</summary>
+    public readonly RateBound DragBound(double fastest) => new(_ofDrag * (_drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
 
     public void Prepare(Scene scene)
     {
@@ -64,16 +52,11 @@ internal struct MeasuredLaw : ITableLaw
         _radius = scene.Ball.Radius;
         _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
         _largest = _perSpeed * (2.0 * Limits.Speed);
-        _constantDrag = forces.Drag == ForceLaw.Constant;
-        _constantLift = forces.Magnus == ForceLaw.Constant;
         double dynamic = AirScale.DynamicArea(scene);
-        _ofDrag = Scale(forces.Drag, ConstantDrag.Scale(scene), dynamic);
-        _ofLift = Scale(forces.Magnus, ConstantMagnus.Scale(scene), dynamic * _radius);
+        _ofDrag = forces.Drag == ForceLaw.None ? 0 : dynamic;
+        _ofLift = forces.Magnus == ForceLaw.None ? 0 : dynamic * _radius;
         _decay.Prepare(scene);
     }
-
-    /// <summary>Returns the scale of a force: 0 if it is absent.</summary>
-    private static double Scale(ForceLaw law, double constant, double fitted) => law == ForceLaw.None ? 0 : law == ForceLaw.Constant ? constant : fitted;
 
     private LawTables TablesOf(DragCurve curve)
     {
@@ -88,9 +71,9 @@ internal struct MeasuredLaw : ITableLaw
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
-        factors.First = _constantDrag ? 1 : _drag.Coefficient(Math.Min(speed, _largest));
-        factors.Second = _constantDrag ? 0 : SpinDrag.OfShare(share);
-        factors.Third = _constantLift ? 1 : SaturatingLift.OfShare(share);
+        factors.First = _drag.Coefficient(Math.Min(speed, _largest));
+        factors.Second = SpinDrag.OfShare(share);
+        factors.Third = SaturatingLift.OfShare(share);
         factors.Fourth = 0;
     }
 
@@ -98,7 +81,7 @@ internal struct MeasuredLaw : ITableLaw
     public readonly void OfSpin(double spinParameter, out LawFactors factors)
     {
         factors.First = SpinDrag.OfSpin(spinParameter);
-        factors.Second = _constantLift ? 1 : SaturatingLift.PerSpin(spinParameter);
+        factors.Second = SaturatingLift.PerSpin(spinParameter);
         factors.Third = 0;
         factors.Fourth = 0;
     }

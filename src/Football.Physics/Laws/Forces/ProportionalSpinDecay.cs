@@ -16,20 +16,13 @@ internal struct ProportionalSpinDecay : IAirLaw
 
     public readonly RateBound Bound => new(_perMetre, 0, _atRest);
 
-    /// <summary>Reads the rates of the scene. A constant decay does not grow with the speed; without decay, both rates are 0.</summary>
+    /// <summary>Reads the rates of the scene; without decay, both are 0.</summary>
     public void Prepare(Scene scene)
     {
-        ForceLaw kind = scene.Forces.SpinDecay;
-        if (kind != ForceLaw.Empirical)
-        {
-            _perMetre = 0;
-            _atRest = kind == ForceLaw.Constant ? ConstantSpinDecay.Scale(scene) : 0;
-            return;
-        }
-
         double r = scene.Ball.Radius;
-        _perMetre = Beta * Math.PI * scene.Air.Density * r * r * r * r / scene.Ball.MomentOfInertia;
-        _atRest = AtRest * scene.Air.Density / 1.2;
+        double density = scene.Forces.SpinDecay == ForceLaw.None ? 0 : scene.Air.Density;
+        _perMetre = Beta * Math.PI * density * r * r * r * r / scene.Ball.MomentOfInertia;
+        _atRest = AtRest * density / 1.2;
     }
 
     /// <summary>Returns the decay rate, in 1/s: ω̇ = −(β π ρ r⁴/I |u| + ε ρ/1.2) ω.</summary>

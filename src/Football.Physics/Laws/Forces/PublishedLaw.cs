@@ -13,11 +13,7 @@ internal struct PublishedLaw : ITableLaw
     /// <summary>Tables from 0.5 to 128 m/s, with finer segments from 2.8 to 32 m/s, around the drag crisis.</summary>
     private static readonly LawTables Shared = new(default(PublishedLaw), new Octaves(-2, 14, 6), new Octaves(3, 10, 7));
 
-    private ConstantParts _constant;
     private EmpiricalSpinDecay _decay;
-    private RateBound _dragBound;
-    private RateBound _liftBound;
-    private RateBound _decayBound;
     private double _ofDrag; // ½ ρ A / m, 1/m; 0 without drag
     private double _ofLift; // the same; 0 without lift
     private double _atRest; // C_D0
@@ -31,19 +27,9 @@ internal struct PublishedLaw : ITableLaw
 
     public readonly LawTables Tables => Shared;
 
-    public readonly RateBound LiftBound => _liftBound;
-
-    public readonly RateBound DecayBound => _decayBound;
-
-    public readonly RateBound DragBound(double fastest) => _dragBound;
-
     public void Prepare(Scene scene)
     {
-        _constant.Prepare(scene);
         _decay.Prepare(scene);
-        _dragBound = SceneLaws.Drag(scene).Bound;
-        _liftBound = SceneLaws.Magnus(scene).Bound;
-        _decayBound = SceneLaws.SpinDecay(scene).Bound;
         double dynamic = AirScale.DynamicArea(scene);
         _ofDrag = scene.Forces.Drag == ForceLaw.None ? 0 : dynamic;
         _ofLift = scene.Forces.Magnus == ForceLaw.None ? 0 : dynamic;
@@ -88,6 +74,5 @@ internal struct PublishedLaw : ITableLaw
 
         // ω̇ = k (|u + r|ω|/2|^1.8 + |u − r|ω|/2|^1.8)
         decay = _plate * bySpeed.Third * bySpin.Third;
-        _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
     }
 }

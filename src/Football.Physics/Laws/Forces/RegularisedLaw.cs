@@ -10,11 +10,7 @@ internal struct RegularisedLaw : ITableLaw
     /// <summary>Tables from 0.5 to 128 m/s, with segments from 8 to 32 m/s fine enough for the 0.25 m/s layer at the critical speed.</summary>
     private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-2, 14, 6), new Octaves(6, 10, 8));
 
-    private ConstantParts _constant;
     private EmpiricalSpinDecay _decay;
-    private RateBound _dragBound;
-    private RateBound _liftBound;
-    private RateBound _decayBound;
     private double _k; // ½ ρ A / m, 1/m
     private double _ofDrag; // 1; 0 without drag
     private double _ofLift; // 1; 0 without lift
@@ -29,19 +25,9 @@ internal struct RegularisedLaw : ITableLaw
 
     public readonly LawTables Tables => Shared;
 
-    public readonly RateBound LiftBound => _liftBound;
-
-    public readonly RateBound DecayBound => _decayBound;
-
-    public readonly RateBound DragBound(double fastest) => _dragBound;
-
     public void Prepare(Scene scene)
     {
-        _constant.Prepare(scene);
         _decay.Prepare(scene);
-        _dragBound = SceneLaws.Drag(scene).Bound;
-        _liftBound = SceneLaws.Magnus(scene).Bound;
-        _decayBound = SceneLaws.SpinDecay(scene).Bound;
         _k = AirScale.DynamicArea(scene);
         _ofDrag = scene.Forces.Drag == ForceLaw.None ? 0 : 1;
         _ofLift = scene.Forces.Magnus == ForceLaw.None ? 0 : 1;
@@ -84,6 +70,5 @@ internal struct RegularisedLaw : ITableLaw
 
         // ω̇ = k (|u + r|ω|/2|^1.8 + |u − r|ω|/2|^1.8)
         decay = _plate * bySpeed.Third * bySpin.Fourth;
-        _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
     }
 }

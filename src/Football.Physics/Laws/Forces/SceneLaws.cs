@@ -24,6 +24,21 @@ internal static class SceneLaws
         default(ConstantSpinDecay),
         IsMeasured(scene) ? default(ProportionalSpinDecay) : default(EmpiricalSpinDecay));
 
+    /// <summary>Returns a bound on the drag up to a speed. Without such a limit, the coefficient of the measured law has none.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="fastest">The speed, in m/s.</param>
+    public static RateBound DragBound(Scene scene, double fastest)
+    {
+        if (!IsMeasured(scene) || scene.Forces.Drag != ForceLaw.Empirical)
+        {
+            return Drag(scene).Bound;
+        }
+
+        MeasuredLaw law = default;
+        law.Prepare(scene);
+        return law.DragBound(fastest);
+    }
+
     private static bool IsMeasured(Scene scene) => scene.Forces.Coefficients == AerodynamicModel.Measured;
 
     private static IAirLaw Prepared(Scene scene, string field, ForceLaw kind, IAirLaw constant, IAirLaw empirical)

@@ -4,7 +4,7 @@ using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>A law evaluated from tables of its functions, valid where <see cref="Covers"/> returns true.</summary>
+/// <summary>A fitted law evaluated from tables of its functions, with absent forces and constant coefficients, valid where <see cref="Covers"/> returns true.</summary>
 /// <remarks>
 /// It costs two table indices, a few cubics and <see cref="ITableLaw.Combine"/>. The functions define the law; the tests compare tables and functions over the
 /// entire domain.
@@ -28,6 +28,7 @@ internal struct TableAir<TLaw> : IFlightAir
     /// <summary>The share of the highest speed of the tables up to which they are used.</summary>
     private const double BelowFastest = 0.9375;
 
+    private readonly ConstantParts _constant;
     private TLaw _law;
     private readonly FactorTable _speeds;
     private readonly FactorTable _spins;
@@ -52,6 +53,7 @@ internal struct TableAir<TLaw> : IFlightAir
     {
         _law = default;
         _law.Prepare(scene);
+        _constant.Prepare(scene);
         LawTables tables = _law.Tables;
         _speeds = tables.Speeds;
         _spins = tables.Spins;
@@ -61,7 +63,7 @@ internal struct TableAir<TLaw> : IFlightAir
         double fastest = Math.Min(TableRange.Fastest, BelowFastest * tables.Fastest / _law.SpeedScale);
         _slowestSquared = slowest * slowest;
         _fastestSquared = fastest * fastest;
-        _range = new TableRange(scene, _law.DragBound(fastest) + _law.LiftBound, FastestSpin, AboveSlowest * slowest, fastest);
+        _range = new TableRange(scene, SceneLaws.DragBound(scene, fastest) + SceneLaws.Magnus(scene).Bound, FastestSpin, AboveSlowest * slowest, fastest);
     }
 
     /// <inheritdoc cref="IFlightAir.WholeUpTo"/>
@@ -101,7 +103,12 @@ internal struct TableAir<TLaw> : IFlightAir
 
         _speeds.Evaluate(speedSquared * (_law.SpeedScale * _law.SpeedScale), out LawFactors bySpeed);
         _spins.Evaluate(ofSpin, out LawFactors bySpin);
-        _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
+        double speed = Math.Sqrt(speedSquared);
+        _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
+        if (_constant.Any)
+        {
+            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
+        }
     }
 
     /// <summary>Computes the factors at any point: from the tables in their range, otherwise from the functions.</summary>
@@ -161,6 +168,11 @@ internal struct TableAir<TLaw> : IFlightAir
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
+        if (_constant.Any)
+        {
+            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
+        }
+
         drag = moves ? drag : 0;
         lift = moves && spinRate > 0 ? lift : 0;
     }
