@@ -75,6 +75,6 @@ internal readonly struct SearchSpan(double length, double until)
     /// <summary>End of the search, s from the start of the path.</summary>
     public readonly double Until = Math.Min(until, length);
 
-    /// <summary>Minimum step, s, so that every search ends.</summary>
-    public readonly double Shortest = Math.Max(ContactTolerances.ShortestShare * length, ContactTolerances.ShortestStep);
+    /// <summary>Minimum step, s, so that every search ends. Default: a small share of the path.</summary>
+    public double Shortest { get; init; } = Math.Max(ContactTolerances.ShortestShare * length, ContactTolerances.ShortestStep);
 }

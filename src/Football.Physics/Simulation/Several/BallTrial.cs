@@ -173,18 +173,15 @@ internal sealed class BallTrial : PieceObserver
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
             var gap = new BallGap(in mine, start, in its, otherStart, distance);
-            do
+            var span = new SearchSpan(last, last) { Shortest = ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * last) };
+            double at = TimeOfImpact.First(ref gap, in span, time);
+            if (at < last || (atEnd && at == until))
             {
-                if (gap.IsClosed(time, out double step))
-                {
-                    return time;
-                }
-
-                time += Math.Max(step, ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * time));
+                return at;
             }
-            while (time < last || (atEnd && last == until && time == last));
 
-            time = Math.Max(last, Math.Min(time, Math.Min(end, otherEnd)));
+            // The next cubics decide whether the balls touch at their start.
+            time = Math.Max(last, Math.Min(at, Math.Min(end, otherEnd)));
         }
 
         return double.PositiveInfinity;
@@ -197,7 +194,7 @@ internal sealed class BallTrial : PieceObserver
 /// <param name="two">The path of the other ball.</param>
 /// <param name="twoStart">Its start time, s.</param>
 /// <param name="distance">Distance of the centres at contact, m.</param>
-internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic two, double twoStart, double distance)
+internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic two, double twoStart, double distance) : IGap
 {
     private readonly PathCubic _one = one;
     private readonly PathCubic _two = two;
