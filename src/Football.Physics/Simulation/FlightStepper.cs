@@ -64,11 +64,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double vy = s.Flight.Velocity.Y;
         double vz = s.Flight.Velocity.Z;
         double spin = s.Flight.SpinRate;
-        Vector3d position = s.Position;
+        double y = s.Position.Y;
         DragBranch branch = s.Branch;
 
         // Leave a slide along the jump, and a descent at contact height, to the piecewise method.
-        if (branch >= DragBranch.AlongCriticalSpeed || (position.Y <= _contactHeight && vy < 0))
+        if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             return WholeStep.NotTaken;
         }
@@ -79,10 +79,8 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
 
-        // In a wind field, add the maximum wind speed to the airspeed.
         bool hasField = _air.HasField;
-        double most = hasField ? Math.Sqrt(speedSquared) + _fastestWind : 0;
-        double mostSquared = hasField ? most * most : speedSquared;
+        double mostSquared = hasField ? MostSquared(speedSquared) : speedSquared;
 
         if (_air.Jumps)
         {
@@ -93,7 +91,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         // Use pieces if the hop limit, stability or the broad phase requires them.
         bool covered = _air.Covers(speedSquared, spin, dt);
         bool acts = _air.Acts;
-        if ((_integrator.GainsByHops && _limit.WithinHop(dt, position.Y - _contactHeight, vy) < dt)
+        if ((_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
             || (acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered)))
         {
             return WholeStep.NotTaken;
@@ -113,7 +111,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         log.Evaluations += _integrator.Stages;
 
         // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump in the drag law.
-        double height = position.Y + (step.Path.Y + (dt * _wind.Y));
+        double height = y + (step.Path.Y + (dt * _wind.Y));
         if (height < _contactHeight || (vy < 0 && step.AirVelocity.Y + _wind.Y > 0) || step.SpinRate < 0
             || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, dt)))
         {
@@ -123,6 +121,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
 
         // There is no event: move the ball.
+        Vector3d position = s.Position;
         double time = s.Time;
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
         s.Angle += step.Turn;
@@ -167,6 +166,14 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         {
             base.EndAcceleration(in s, h, out acceleration);
         }
+    }
+
+    /// <summary>Returns a bound on |u|² in a wind field: the maximum wind speed adds to the airspeed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private double MostSquared(double speedSquared)
+    {
+        double most = Math.Sqrt(speedSquared) + _fastestWind;
+        return most * most;
     }
 
     /// <summary>True if a step may have crossed the jump in the drag law.</summary>
