@@ -9,14 +9,14 @@ internal class KickLook : ApproachFlight
     private const double GroundShare = 0.2;
     private const double LongestOnGround = 0.08;
 
-    /// <summary>The difference in height, in m, beyond which a roll cannot hit the target: it then needs no short steps.</summary>
+    /// <summary>The difference in height, in m, beyond which a roll on level ground cannot hit the target: it then needs no short steps.</summary>
     private const double OutOfReach = 0.05;
+
+    private readonly bool _isLevel;
 
     /// <param name="simulator">The scene.</param>
     public KickLook(Simulator simulator)
-        : base(simulator)
-    {
-    }
+        : base(simulator) => _isLevel = simulator.World.Ground is { IsLevelGround: true };
 
     /// <summary>The positions of the ball and the target.</summary>
     protected TargetFrame Frame { get; private set; }
@@ -44,8 +44,8 @@ internal class KickLook : ApproachFlight
     public override double StepFrom(in BallState state, out bool watches)
     {
         watches = false;
-        bool isLong = state.Motion == MotionState.Airborne || (state.Motion == MotionState.Rolling && Math.Abs(state.Position.Y - Target.Y) > OutOfReach);
-        double step = isLong ? TimeStep : Math.Min(GroundShare * TimeStep, LongestOnGround);
+        bool isOutOfReach = _isLevel && state.Motion == MotionState.Rolling && Math.Abs(state.Position.Y - Target.Y) > OutOfReach;
+        double step = state.Motion == MotionState.Airborne || isOutOfReach ? TimeStep : Math.Min(GroundShare * TimeStep, LongestOnGround);
         return Math.Min(step, Last - state.Time);
     }
 

@@ -21,8 +21,9 @@ internal static class GroundPlace
     /// <param name="position">The position, m.</param>
     public static Vector3d Raised(World world, in Vector3d position)
     {
-        return world.Ground is null or { IsLevelGround: true } ? new Vector3d(position.X, Math.Max(position.Y, world.LevelContact), position.Z)
-            : world.Ball.Radius - world.Ground.At(in position).Distance > ContactTolerances.Overlap ? Onto(world, in position)
+        return world.Ground is not { } ground ? position
+            : ground.IsLevelGround ? ground.SnapUp(in position)
+            : world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap ? Onto(world, in position)
             : position;
     }
 
