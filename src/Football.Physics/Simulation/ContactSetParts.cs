@@ -168,7 +168,7 @@ internal sealed partial class ContactSetParts
         Vector3d v = from.Velocity + (share * (part.Velocity - from.Velocity));
         Vector3d w = from.Spin + (share * (part.Spin - from.Spin));
         Advance(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in part.Start, ref run);
-        if (part.PassesBorder)
+        if (part.IsPassage)
         {
             _guard.Meet(ref s, in part.Met, ref run);
         }
@@ -190,7 +190,7 @@ internal sealed partial class ContactSetParts
             return _guard.HitsAtOnce(ref s, ref run);
         }
 
-        if (!part.PassesBorder)
+        if (!part.IsPassage)
         {
             _guard.Meet(ref s, in part.Met, ref run);
         }
@@ -374,14 +374,14 @@ internal struct SetPart
     /// <summary>True if the part is short because a normal turns.</summary>
     public bool Turns;
 
-    /// <summary>True if a contact, a border or a zone ends the part.</summary>
+    /// <summary>True if a contact or a passage ends the part.</summary>
     public bool Meets;
 
     /// <summary>What ends the part, if anything does.</summary>
     public Separation Met;
 
-    /// <summary>True if the part ends where the ball passes through something without an impact.</summary>
-    public readonly bool PassesBorder => Meets && Met.What is not (SeparationKind.Contact or SeparationKind.Seam);
+    /// <summary>True if the ball enters or leaves a net or a goal at the end of the part.</summary>
+    public readonly bool IsPassage => Meets && Met.What is not (SeparationKind.Contact or SeparationKind.Seam);
 
     /// <summary>True if the ball stands still at both ends.</summary>
     public readonly bool IsStill(double radius) =>

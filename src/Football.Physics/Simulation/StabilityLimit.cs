@@ -23,10 +23,10 @@ internal readonly struct StabilityLimit
     /// <summary>Its square, m²/s².</summary>
     private const double StillAir = SlowestAir * SlowestAir;
 
-    /// <summary>Up to this airspeed, with a usual weight, no step that the limit allows exceeds <see cref="AirLaws.OrdinarySpeed"/>, m/s.</summary>
+    /// <summary>The airspeed up to which <see cref="AirLaws.OrdinaryBound"/> holds for a whole step, m/s: a step that the limit allows at most doubles it.</summary>
     private const double UsualSpeed = 0.5 * AirLaws.OrdinarySpeed;
 
-    /// <summary>Up to this acceleration, a ball falls no faster than <see cref="UsualSpeed"/> through air in which the bound matters, m/s².</summary>
+    /// <summary>The largest weight for which the same holds, m/s²: beyond it, the fall within a step may exceed that speed.</summary>
     private const double UsualWeight = 50;
 
     private readonly RateBound _bound;
@@ -76,7 +76,7 @@ internal readonly struct StabilityLimit
         // Without drag, a low-order integrator increases the ball's speed whenever the velocity turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
 
-        // A wind field can change the airspeed within a step.
+        // In a wind field, a long step would miss changes of the wind: keep the shorter pieces of the full bound.
         RateBound usual = Math.Abs(upward) <= UsualWeight && !air.HasField ? WithFall(air.OrdinaryBound, upward) : bound;
         return new StabilityLimit(in bound, in usual, upward, wholeUpTo, pieces, spirals, order);
     }

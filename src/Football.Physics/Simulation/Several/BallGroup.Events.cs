@@ -36,25 +36,25 @@ public sealed partial class BallGroup
 
         for (int k = 0; k < reported; k++)
         {
-            log.Events.Add(in _told[k]);
+            log.Events.Add(in _reported[k]);
         }
     }
 
     /// <summary>Inserts an event in order: by time, then by ball, then by its order within the ball.</summary>
     private void Insert(in BallEvent happened, int count)
     {
-        if (count == _told.Length)
+        if (count == _reported.Length)
         {
-            Array.Resize(ref _told, 2 * count);
+            Array.Resize(ref _reported, 2 * count);
         }
 
         // The insertion is stable, so each ball's events keep their order.
         int place = count;
-        for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
+        for (; place > 0 && (_reported[place - 1].Time > happened.Time || (_reported[place - 1].Time == happened.Time && _reported[place - 1].Ball > happened.Ball)); place--)
         {
-            _told[place] = _told[place - 1];
+            _reported[place] = _reported[place - 1];
         }
 
-        _told[place] = happened;
+        _reported[place] = happened;
     }
 }

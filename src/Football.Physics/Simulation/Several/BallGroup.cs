@@ -31,7 +31,7 @@ public sealed partial class BallGroup
     private readonly BallTrial _measure = new();
     private readonly StepLog _flown;
     private readonly int[] _firstEvent;
-    private BallEvent[] _told = new BallEvent[16];
+    private BallEvent[] _reported = new BallEvent[16];
     private readonly MotionsBefore _motions;
     private readonly BallCluster _cluster;
 
