@@ -14,11 +14,12 @@ internal sealed unsafe class CallArguments
     /// <summary>The largest count of balls, rows and events. A call starts at one of the first balls, so that all of them exist.</summary>
     private const int MostRows = 4;
 
-    private const int Slots = 10;
+    private const int Slots = 13;
     private const int SlotSize = 4096;
     private const int Null = 0xFF;
     private const int Wild = 0xFE;
     private const int Changed = 0xF8;
+    private const int LastHandle = 0x20;
     private const double MostSteps = 400;
     private const double LongestRow = 10;
 
@@ -27,14 +28,17 @@ internal sealed unsafe class CallArguments
 
     private readonly ProgramBytes _program;
     private readonly string[] _texts;
+    private readonly string[] _requests;
     private readonly List<nint> _scenes = [0];
+    private readonly List<nint> _matches = [0];
     private readonly byte[] _before = new byte[Size];
     private readonly byte[] _snapshot = new byte[Snapshot.Size];
+    private byte[] _saved = [];
     private int _text;
 
-    public CallArguments(ProgramBytes program, string[] texts)
+    public CallArguments(ProgramBytes program, string[] texts, string[] requests)
     {
-        (_program, _texts) = (program, texts);
+        (_program, _texts, _requests) = (program, texts, requests);
         new Span<byte>(s_memory, Size).Clear();
     }
 
@@ -42,6 +46,9 @@ internal sealed unsafe class CallArguments
 
     /// <summary>The handles that the program got; some are freed.</summary>
     public IReadOnlyList<nint> Scenes => _scenes;
+
+    /// <summary>The same for matches.</summary>
+    public IReadOnlyList<nint> Matches => _matches;
 
     /// <summary>Reads the arguments of a call.</summary>
     public long[] Of(NativeCall call)
@@ -102,15 +109,20 @@ internal sealed unsafe class CallArguments
     private static bool IsWritten(ParameterInfo parameter, bool isDone)
     {
         Type type = parameter.ParameterType;
-        return type == typeof(NativeScene**) || (isDone && type.IsPointer && type != typeof(NativeScene*) && !parameter.IsDefined(typeof(InAttribute)));
+        return IsHandle(type.GetElementType()) || (isDone && type.IsPointer && !IsHandle(type) && !parameter.IsDefined(typeof(InAttribute)));
     }
+
+    private static bool IsHandle(Type? type) => type == typeof(NativeScene*) || type == typeof(NativeMatch*);
+
+    /// <summary>Saved matches and recordings.</summary>
+    private static bool IsSaved(ParameterInfo parameter) => parameter.ParameterType == typeof(CByte*) && parameter.Name is "bytes" or "recording";
 
     /// <summary>The number of elements behind a pointer, or of balls or rows; 1 if no count belongs to it.</summary>
     private static int Count(NativeCall call, long[] values, ParameterInfo of)
     {
-        string name = of.ParameterType == typeof(NativeEvent*) || of.Name == "name" ? "capacity" : of.Name == "path" ? "rows" : "n";
+        string name = of.Name is "events" or "name" or "windows" or "pieces" || IsSaved(of) ? "capacity" : of.Name == "path" ? "rows" : of.Name is "count" or "written" || (of.Name == "out" && of.ParameterType != typeof(NativeState*)) || IsHandle(of.ParameterType.GetElementType()) ? "" : "n";
         int count = Array.FindIndex(call.Parameters, parameter => parameter.Name == name);
-        return count < 0 ? 1 : (int)Math.Clamp(values[count], 0, MostRows * MostRows);
+        return count < 0 ? 1 : (int)Math.Clamp(values[count], 0, IsSaved(of) ? SlotSize : MostRows * MostRows);
     }
 
     private static int Length(ParameterInfo parameter, int count) => parameter.GetCustomAttribute<CArrayAttribute>()?.Length * Element(parameter) ?? count * Rows(parameter) * Element(parameter);
@@ -118,24 +130,19 @@ internal sealed unsafe class CallArguments
     private static int Element(ParameterInfo parameter)
     {
         Type type = parameter.ParameterType.GetElementType()!;
-        return type == typeof(NativeState) ? sizeof(NativeState)
-            : type == typeof(NativeEvent) ? sizeof(NativeEvent)
-            : type == typeof(NativeBall) ? sizeof(NativeBall)
-            : type == typeof(NativeDerivatives) ? sizeof(NativeDerivatives)
-            : type == typeof(byte) || type == typeof(CByte) ? 1
-            : type == typeof(int) ? sizeof(int)
-            : sizeof(long);
+        return type.IsPointer ? sizeof(nint) : Marshal.SizeOf(type);
     }
 
     /// <summary>The numbers of a row.</summary>
-    private static int Rows(ParameterInfo parameter) => parameter.ParameterType != typeof(double*) || parameter.Name is "time" or "airDistance" or "miss" ? 1 : parameter.Name == "path" ? 4 : 3;
+    private static int Rows(ParameterInfo parameter) => parameter.ParameterType != typeof(double*) || parameter.Name is "time" or "times" or "noise" or "airDistance" or "miss" ? 1 : parameter.Name == "path" ? 4 : 3;
 
     private long Value(ParameterInfo parameter, byte* slot)
     {
         Type type = parameter.ParameterType;
         return type == typeof(double) ? BitConverter.DoubleToInt64Bits(_program.Number())
             : type == typeof(int) || type == typeof(long) ? Whole(parameter)
-            : type == typeof(NativeScene*) ? Scene()
+            : type == typeof(NativeScene*) ? Handle(_scenes)
+            : type == typeof(NativeMatch*) ? Handle(_matches)
             : _program.Byte() is var token && token == Null ? 0
             : type == typeof(NativeState*) ? Ball(token)
             : (nint)Filled(parameter, slot, token);
@@ -149,12 +156,19 @@ internal sealed unsafe class CallArguments
         }
 
         int value = _program.Byte();
-        return parameter.Name is "n" or "rows" or "capacity" or "steps"
-            ? value switch { Null => -1, Wild => int.MinValue, _ => value % ((parameter.Name is "n" ? MostRows : MostRows * MostRows) + 1) }
+        ParameterInfo[] all = ((MethodInfo)parameter.Member).GetParameters();
+        if (parameter.Position > 0 && IsSaved(all[parameter.Position - 1]) && value < 0x80)
+        {
+            return parameter.Name == "n" ? Math.Max(0, _saved.Length - (value >> 5)) : SlotSize;
+        }
+
+        return parameter.Name is "n" or "rows" or "capacity" or "steps" or "balls"
+            ? value switch { Null => -1, Wild => int.MinValue, _ => value % ((parameter.Name is "n" or "balls" ? MostRows : MostRows * MostRows) + 1) }
             : value switch { Null => int.MaxValue, Wild => int.MinValue, _ => (sbyte)value };
     }
 
-    private nint Scene() => _program.Byte() is var token && token == Wild ? (nint)_program.Word() : _scenes[Math.Max(0, _scenes.Count - 1 - (token % (_scenes.Count + 1)))];
+    /// <summary>The last handle, an earlier one (0 and freed ones included), or any number.</summary>
+    private nint Handle(List<nint> of) => _program.Byte() is var token && token == Wild ? (nint)_program.Word() : of[token < LastHandle ? ^1 : token % of.Count];
 
     /// <summary>One of the balls; first, some of its bytes may be changed, because C can pass anything.</summary>
     private long Ball(int token)
@@ -184,9 +198,21 @@ internal sealed unsafe class CallArguments
 
         if (parameter.ParameterType == typeof(byte*))
         {
-            byte[] text = token < 0x80 ? Encoding.UTF8.GetBytes(_texts[token % _texts.Length]) : _program.Take(token & 0x7F);
+            string[] texts = parameter.Name == "json" ? _texts : _requests;
+            byte[] text = token < 0x80 ? Encoding.UTF8.GetBytes(texts[token % texts.Length]) : _program.Take(token & 0x7F);
             text.CopyTo(new Span<byte>(slot, SlotSize));
             _text = text.Length;
+            return slot;
+        }
+
+        if (IsSaved(parameter))
+        {
+            _saved.CopyTo(new Span<byte>(slot, SlotSize));
+            if (token >= Changed)
+            {
+                slot[_program.Word() % SlotSize] = (byte)_program.Byte();
+            }
+
             return slot;
         }
 
@@ -196,8 +222,7 @@ internal sealed unsafe class CallArguments
             return slot;
         }
 
-        int numbers = parameter.ParameterType == typeof(NativeEvent*) ? sizeof(NativeEvent) / sizeof(double)
-            : parameter.GetCustomAttribute<CArrayAttribute>()?.Length ?? MostRows * Rows(parameter);
+        int numbers = parameter.GetCustomAttribute<CArrayAttribute>()?.Length ?? (parameter.ParameterType == typeof(NativeEvent*) ? 1 : MostRows) * Rows(parameter) * Element(parameter) / sizeof(double);
         for (int i = 0; i < numbers; i++)
         {
             // Few bytes are enough: the later rows repeat the first one if its token says so.
@@ -215,9 +240,17 @@ internal sealed unsafe class CallArguments
     /// <summary>Keeps a handle, or the bytes of a state, for the calls that follow.</summary>
     private void Keep(ParameterInfo parameter, ReadOnlySpan<byte> written)
     {
-        if (parameter.ParameterType == typeof(NativeScene**))
+        if (parameter.ParameterType == typeof(NativeScene**) || parameter.ParameterType == typeof(NativeMatch**))
         {
-            _scenes.Add(MemoryMarshal.Read<nint>(written));
+            (parameter.ParameterType == typeof(NativeScene**) ? _scenes : _matches).Add(MemoryMarshal.Read<nint>(written));
+        }
+        else if (IsSaved(parameter))
+        {
+            _saved = written.ToArray();
+        }
+        else if (parameter.Name == "written" && _saved.Length == SlotSize)
+        {
+            _saved = _saved[..(int)Math.Clamp(MemoryMarshal.Read<long>(written), 0, SlotSize)];
         }
         else if (parameter.ParameterType == typeof(byte*) && parameter.GetCustomAttribute<CArrayAttribute>() is not null)
         {

@@ -22,7 +22,16 @@ internal sealed class ProgramBytes(byte[] bytes, SeededRandom? more = null)
 
     public bool IsOver => _at >= _bytes.Count;
 
+    public int Length => _bytes.Count;
+
     public byte[] ToArray() => [.. _bytes];
+
+    /// <summary>Removes the bytes from a place on.</summary>
+    public void Shorten(int length)
+    {
+        _bytes.RemoveRange(length, _bytes.Count - length);
+        _at = length;
+    }
 
     /// <summary>Writes the next byte, of a program that is being made.</summary>
     public void Add(byte value) => _bytes.Add(value);
