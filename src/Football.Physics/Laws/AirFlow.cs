@@ -1,22 +1,4 @@
-using FootballPhysics.Integration;
-
 namespace FootballPhysics.Laws;
-
-/// <summary>A sweep that also tracks the surfaces at which the drag law jumps.</summary>
-internal interface IFlowSweep : ISweep
-{
-    /// <summary>The surface functions at the start.</summary>
-    DragJump StartJump { get; }
-
-    /// <summary>The rates of the surface functions at the start.</summary>
-    DragJump StartJumpRate { get; }
-
-    /// <summary>The surface functions at the end.</summary>
-    DragJump EndJump { get; }
-
-    /// <summary>Returns the rates of the surface functions at the end; one evaluation.</summary>
-    DragJump EndJumpRate();
-}
 
 /// <summary>The flow past the ball at one instant: the input of the aerodynamic laws, computed once per evaluation.</summary>
 internal struct AirFlow

@@ -1,4 +1,3 @@
-using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
 using FootballPhysics.State;
 

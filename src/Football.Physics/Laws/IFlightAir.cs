@@ -1,4 +1,3 @@
-using FootballPhysics.Integration;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;

@@ -1,7 +1,23 @@
 using FootballPhysics.Integration;
 using FootballPhysics.State;
 
-namespace FootballPhysics.Laws;
+namespace FootballPhysics.Simulation;
+
+/// <summary>A sweep that also tracks the surfaces at which the drag law jumps.</summary>
+internal interface IFlowSweep : ISweep
+{
+    /// <summary>The surface functions at the start.</summary>
+    DragJump StartJump { get; }
+
+    /// <summary>The rates of the surface functions at the start.</summary>
+    DragJump StartJumpRate { get; }
+
+    /// <summary>The surface functions at the end.</summary>
+    DragJump EndJump { get; }
+
+    /// <summary>Returns the rates of the surface functions at the end; one evaluation.</summary>
+    DragJump EndJumpRate();
+}
 
 /// <summary>Ends a step where it crosses the jump in the drag law.</summary>
 internal static class JumpLocator

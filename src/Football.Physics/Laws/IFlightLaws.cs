@@ -1,6 +1,6 @@
 using FootballPhysics.State;
 
-namespace FootballPhysics.Integration;
+namespace FootballPhysics.Laws;
 
 /// <summary>The air as the one-step methods use it.</summary>
 internal interface IFlightLaws

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.State;
 
-namespace FootballPhysics.Integration;
+namespace FootballPhysics.Laws;
 
 /// <summary>The right-hand side of the equations of flight, for a constant axis of the spin.</summary>
 /// <remarks>m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D.</remarks>
