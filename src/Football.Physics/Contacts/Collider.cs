@@ -254,7 +254,7 @@ internal sealed class Collider
     }
 
     /// <summary>Returns the material at a position.</summary>
-    public ref readonly ContactMaterial MaterialAt(in Vector3d position) => ref PatchAt(in position) is >= 0 and int patch ? ref _patches[patch] : ref _material;
+    public ref readonly ContactMaterial MaterialAt(in Vector3d position) => ref _pattern is not null && PatchAt(in position) is >= 0 and int patch ? ref _patches[patch] : ref _material;
 
     /// <summary>Returns distance, normal and curvature at a point and a time.</summary>
     public ShapePoint At(in Vector3d position, double time) => Moves ? Motion.At(_shape, in position, time) : _shape.At(in position);

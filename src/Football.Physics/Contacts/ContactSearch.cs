@@ -12,7 +12,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     private readonly PathCubic _path = path;
     private readonly Bounds3d _bounds = world.IsBare ? default : path.Bounds;
     private readonly double _time = time;
-    private readonly double _bend = path.GreatestAcceleration;
+    private readonly double _bend = world.IsPlaneAlone ? 0 : path.GreatestAcceleration; // the gap to a plane bounds its own
 
     /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>

@@ -19,13 +19,11 @@ internal static class GroundPlace
     /// <summary>Returns the position of the centre, raised to the lowest free height if the ball overlaps the ground.</summary>
     /// <param name="world">The world.</param>
     /// <param name="position">The position, m.</param>
-    public static Vector3d Raised(World world, in Vector3d position)
-    {
-        return world.Ground is not { } ground ? position
-            : ground.IsLevelGround ? ground.SnapUp(in position)
-            : world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap ? Onto(world, in position)
-            : position;
-    }
+    public static Vector3d Raised(World world, in Vector3d position) =>
+        world.Ground is not { } ground ? position
+        : ground.IsLevelGround ? ground.SnapUp(in position)
+        : world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap ? Onto(world, in position)
+        : position;
 
     /// <summary>Returns the position vertically above or below a point at which a ball touches the ground.</summary>
     /// <remarks>The scene must have ground.</remarks>

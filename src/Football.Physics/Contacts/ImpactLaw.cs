@@ -145,16 +145,15 @@ internal static class ImpactLaw
             w2 - (other.Radius / other.MomentOfInertia * turning) - (torque / other.MomentOfInertia * n));
     }
 
-    /// <summary>Returns the energy that a bumper has added along the normal, J; 0 for other surfaces.</summary>
+    /// <summary>Returns the energy that a bumper has added along the normal, J.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">The material of the object.</param>
     /// <param name="recoil">The mass ratio m/M of the ball and the object.</param>
     /// <param name="before">(v − V)·n, m/s.</param>
     /// <param name="after">(v' − V')·n, m/s.</param>
-    public static double Added(BallProperties ball, in ContactMaterial material, double recoil, double before, double after) =>
+    public static double Added(BallProperties ball, double recoil, double before, double after) =>
 
         // The energy gain ½ m/(1 + m/M) (w'² − w²).
-        material.IsBumper ? Math.Max(0, 0.5 * ball.Mass / (1.0 + recoil) * ((after * after) - (before * before))) : 0;
+        Math.Max(0, 0.5 * ball.Mass / (1.0 + recoil) * ((after * after) - (before * before)));
 
     /// <summary>The impulse of one impact, in units of the mass that the caller chooses.</summary>
     private readonly struct Impulse

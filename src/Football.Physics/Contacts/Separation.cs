@@ -35,47 +35,51 @@ internal readonly struct Separation(World world, SeparationKind what, int index,
     /// <summary>Returns the value, m, and the rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
     {
-        switch (What)
+        if (What != SeparationKind.Contact)
         {
-            case SeparationKind.Contact:
-                Collider collider = _world.Colliders[Index];
-
-                // A stationary plane has the gap (p − c)·n − r, and no curvature.
-                if (collider.StandingPlane is { } plane)
-                {
-                    value = plane.DistanceTo(in position) - _world.Ball.Radius;
-                    rate = Vector3d.Dot(in velocity, plane.Normal);
-                    break;
-                }
-
-                ShapePoint at = collider.At(in position, time);
-                value = at.Distance - _world.Ball.Radius;
-
-                // Along n, the shape's velocity at the ball's centre equals its velocity at the contact point.
-                rate = Vector3d.Dot(velocity - collider.ShapeVelocity(in position, time), at.Normal);
-                break;
-            case SeparationKind.NetMet:
-            case SeparationKind.NetLeft:
-                value = _world.Nets[Index].Beyond(_axis, _sign, in position, in velocity, out rate);
-                if (_deepest >= 0)
-                {
-                    // A net extends beyond its edge by the depth of the ball in another net, so that it catches a ball between two nets.
-                    value -= _world.Nets[_deepest].Depth(in position, _deepestSide);
-                    rate -= _world.Nets[_deepest].DepthRate(in velocity, _deepestSide);
-                }
-
-                // A ball enters a net when it touches the sheet inside the edges, and leaves it when it is off the plane or the edges by its radius.
-                bool leaves = What == SeparationKind.NetLeft;
-                value = leaves ? _world.Ball.Radius - value : _axis == 2 ? value - _world.Ball.Radius : value;
-                rate = leaves ? -rate : rate;
-                break;
-            default:
-                ref readonly GoalMouth goal = ref _world.Goals[Index];
-                double direction = What == SeparationKind.MouthLeft ? -1.0 : 1.0;
-                value = direction * (What == SeparationKind.GoalLine ? goal.BeforeLine(in position, _world.Ball.Radius) : goal.BeforeMouth(in position));
-                rate = direction * Vector3d.Dot(in velocity, goal.Out);
-                break;
+            EvaluatePassage(in position, in velocity, out value, out rate);
+            return;
         }
+
+        Collider collider = _world.Colliders[Index];
+        if (collider.StandingPlane is { } plane)
+        {
+            // A stationary plane has the gap (p − c)·n − r, and no curvature.
+            value = plane.DistanceTo(in position) - _world.Ball.Radius;
+            rate = Vector3d.Dot(in velocity, plane.Normal);
+            return;
+        }
+
+        // Along n, the shape's velocity at the ball's centre equals its velocity at the contact point.
+        ShapePoint at = collider.At(in position, time);
+        value = at.Distance - _world.Ball.Radius;
+        rate = Vector3d.Dot(velocity - collider.ShapeVelocity(in position, time), at.Normal);
+    }
+
+    /// <summary>Returns the same for a net or a goal; these do not move.</summary>
+    private void EvaluatePassage(in Vector3d position, in Vector3d velocity, out double value, out double rate)
+    {
+        if (What is SeparationKind.NetMet or SeparationKind.NetLeft)
+        {
+            value = _world.Nets[Index].Beyond(_axis, _sign, in position, in velocity, out rate);
+            if (_deepest >= 0)
+            {
+                // A net extends beyond its edge by the depth of the ball in another net, so that it catches a ball between two nets.
+                value -= _world.Nets[_deepest].Depth(in position, _deepestSide);
+                rate -= _world.Nets[_deepest].DepthRate(in velocity, _deepestSide);
+            }
+
+            // A ball enters a net when it touches the sheet inside the edges, and leaves it when it is off the plane or the edges by its radius.
+            bool leaves = What == SeparationKind.NetLeft;
+            value = leaves ? _world.Ball.Radius - value : _axis == 2 ? value - _world.Ball.Radius : value;
+            rate = leaves ? -rate : rate;
+            return;
+        }
+
+        ref readonly GoalMouth goal = ref _world.Goals[Index];
+        double direction = What == SeparationKind.MouthLeft ? -1.0 : 1.0;
+        value = direction * (What == SeparationKind.GoalLine ? goal.BeforeLine(in position, _world.Ball.Radius) : goal.BeforeMouth(in position));
+        rate = direction * Vector3d.Dot(in velocity, goal.Out);
     }
 }
 

@@ -65,7 +65,7 @@ internal sealed class ImpactResult
             off = 0;
         }
 
-        double added = bounces ? ImpactLaw.Added(_world.Ball, in material, recoil, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (recoil * (velocity - v)), in n)) : 0;
+        double added = bounces && material.IsBumper ? ImpactLaw.Added(_world.Ball, recoil, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (recoil * (velocity - v)), in n)) : 0;
         return new ImpactOutcome
         {
             Normal = n,
@@ -91,7 +91,7 @@ internal sealed class ImpactResult
         }
 
         // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would raise many events.
-        if (run.IsCrowded && end.Closing < _world.MinimumBounceSpeed)
+        if (end.Closing < _world.MinimumBounceSpeed && run.IsCrowded)
         {
             run.Log.UnreportedImpacts++;
         }

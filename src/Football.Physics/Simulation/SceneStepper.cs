@@ -348,7 +348,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             _contact.TakeJump(ref s, ref run);
         }
 
-        run.Log.Zones?.Moved(run.Log, in s);
+        if (run.Log.IsWatched)
+        {
+            run.Log.Zones?.Moved(run.Log, in s);
+        }
     }
 
     /// <summary>Ends a call: saves the counters of a step that continues, and identifies an engine collider by its own number.</summary>

@@ -29,14 +29,14 @@ internal struct FlightSweep(Surroundings around, IFlight flight, in BallState fr
 
     public readonly Vector3d StartAcceleration => Taken.StartAcceleration;
 
-    public readonly DragJump StartJump => JumpAt(in _fromAirVelocity, _from.SpinRate);
+    public readonly DragJump StartJump => JumpAt(in _fromAirVelocity, _from.Flight.SpinRate);
 
     public readonly DragJump StartJumpRate =>
-        JumpRate(in _fromAirVelocity, _from.SpinRate, in Taken.StartAcceleration, Taken.StartSpinAcceleration);
+        JumpRate(in _fromAirVelocity, _from.Flight.SpinRate, in Taken.StartAcceleration, Taken.StartSpinAcceleration);
 
     public readonly DragJump EndJump => JumpAt(in Taken.AirVelocity, Taken.SpinRate);
 
-    public readonly Motion EndMotion => new(Position, Velocity, _from.SpinAxis * Taken.SpinRate, _from.AirDistance + Taken.AirDistance);
+    public readonly Motion EndMotion => new(Position, Velocity, _from.Flight.Axis * Taken.SpinRate, _from.AirDistance + Taken.AirDistance);
 
     public void Step(double h)
     {
@@ -50,7 +50,7 @@ internal struct FlightSweep(Surroundings around, IFlight flight, in BallState fr
     {
         // Extrapolate by dt with the rates at the end, which follow from the rates at the start and the mean of the step.
         Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in Taken.AirVelocity, in Taken.StartAcceleration, Length);
-        double b = Extrapolate.Rate(_from.SpinRate, Taken.SpinRate, Taken.StartSpinAcceleration, Length);
+        double b = Extrapolate.Rate(_from.Flight.SpinRate, Taken.SpinRate, Taken.StartSpinAcceleration, Length);
         Taken.Path += dt * (Taken.AirVelocity + ((0.5 * dt) * a));
         Taken.Turn += dt * Taken.SpinRate;
         Taken.AirDistance += Length > 0 ? dt * Taken.AirDistance / Length : 0;
@@ -63,7 +63,7 @@ internal struct FlightSweep(Surroundings around, IFlight flight, in BallState fr
     {
         s.Position = Position;
         s.Velocity = Velocity;
-        s.SpinRate = Math.Max(0, Taken.SpinRate);
+        s.Flight.SpinRate = Math.Max(0, Taken.SpinRate);
         s.Angle += Taken.Turn;
         s.AirDistance += Taken.AirDistance;
     }

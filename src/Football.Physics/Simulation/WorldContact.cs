@@ -31,7 +31,7 @@ internal sealed partial class WorldContact
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
         // After too many impacts at one instant, or in a crowded step shortly after contact with a mover, resolve all contacts together.
-        if (run.Impacts++ >= MostAtOnce || (run.IsCrowded && s.Time < s.SqueezeUntil))
+        if (run.Impacts++ >= MostAtOnce || (s.Time < s.SqueezeUntil && run.IsCrowded))
         {
             ImpactAtOnce(ref s, collider, ref run);
             return;

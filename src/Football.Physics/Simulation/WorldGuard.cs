@@ -95,8 +95,7 @@ internal sealed class WorldGuard
             // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has a different
             // cubic, so repeat.
             var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
-            var search = new ContactSearch(_world, in path, s.Time);
-            double at = search.First(in s, carrier, out Separation found, held);
+            double at = new ContactSearch(_world, in path, s.Time).First(in s, carrier, out Separation found, held);
 
             // No earlier contact was found, or the contact is the same one and earlier only by rounding.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - ContactTolerances.StepRounding) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
@@ -159,6 +158,17 @@ internal sealed class WorldGuard
             case SeparationKind.Seam:
                 _contact.HandOver(ref s, met.Index, ref run);
                 break;
+            default:
+                Pass(ref s, in met, ref run);
+                break;
+        }
+    }
+
+    /// <summary>Notes that the ball enters or leaves a net or a goal.</summary>
+    private void Pass(ref BallState s, in Separation met, ref StepRun run)
+    {
+        switch (met.What)
+        {
             case SeparationKind.NetMet:
                 s.Nets |= 1UL << met.Index;
                 s.NetSides = met.Side > 0 ? s.NetSides | (1UL << met.Index) : s.NetSides & ~(1UL << met.Index);

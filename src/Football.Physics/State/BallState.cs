@@ -38,13 +38,13 @@ public struct BallState : IFormattable
     internal DragBranch Branch;
 
     /// <summary>The angular velocity in the world frame, in rad/s.</summary>
-    public readonly Vector3d Spin => SpinAxis * SpinRate;
+    public readonly Vector3d Spin => Flight.Axis * Flight.SpinRate;
 
     /// <summary>The orientation, body to world.</summary>
     /// <remarks>The value is computed on each access; steps in flight do not update it.</remarks>
     public readonly Quaterniond Orientation => Angle == 0
         ? BaseOrientation
-        : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalized();
+        : (Quaterniond.FromAxisAngle(Flight.Axis, Angle) * BaseOrientation).Normalized();
 
     /// <summary>In flight, the constant unit axis of rotation; on the ground, the spin itself.</summary>
     internal Vector3d SpinAxis
@@ -123,8 +123,8 @@ public struct BallState : IFormattable
 
         // A spin that is too small to have an axis becomes 0. The axis remains a unit vector.
         bool spins = rate > NoSpin;
-        SpinAxis = spins ? spin / rate : Vector3d.Up;
-        SpinRate = spins ? rate : 0;
+        Flight.Axis = spins ? spin / rate : Vector3d.Up;
+        Flight.SpinRate = spins ? rate : 0;
     }
 
     /// <summary>Sets the spin of a ball on the ground.</summary>
@@ -133,8 +133,8 @@ public struct BallState : IFormattable
         FoldRotation();
 
         // On the ground, SpinAxis stores the spin itself, with a rate of 1.
-        SpinAxis = spin;
-        SpinRate = 1;
+        Flight.Axis = spin;
+        Flight.SpinRate = 1;
     }
 
     /// <summary>Applies the angle to the base orientation, before the axis changes.</summary>

@@ -34,7 +34,7 @@ public sealed class PlaneShape : IShape
         : Bounds3d.Everywhere;
 
     /// <inheritdoc/>
-    public ShapePoint At(in Vector3d point) => new(DistanceTo(in point), Normal, SymmetricMatrix3d.Zero);
+    public ShapePoint At(in Vector3d point) => new(DistanceTo(in point), Normal, curvature: default);
 
     /// <summary>Returns the signed distance of a point, in m.</summary>
     internal double DistanceTo(in Vector3d point) => Vector3d.Dot(in point, Normal) - _offset;

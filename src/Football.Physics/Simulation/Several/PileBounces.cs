@@ -110,8 +110,9 @@ internal sealed class PileBounces
         logs[ball].Report(new BallEvent(
             BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
         {
-            AddedEnergy = ImpactLaw.Added(
-                simulator.Scene.Ball, in material, 0, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal)),
+            AddedEnergy = material.IsBumper
+                ? ImpactLaw.Added(simulator.Scene.Ball, 0, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal))
+                : 0,
         });
         Set(ref s, in velocity, in spin);
     }
