@@ -50,13 +50,13 @@ public sealed partial class Trajectory
 
             // The first crossing in a segment leaves the side on which the segment starts; a second crossing returns to it.
             bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
-            if (IsWanted(direction, along) && index-- == 0)
+            if (Matches(direction, along) && index-- == 0)
             {
                 crossing = At(in piece, time);
                 return true;
             }
 
-            if (piece.CrossesBack(plane.Point, plane.Normal, time, out double back) && IsWanted(direction, !along) && index-- == 0)
+            if (piece.CrossesBack(plane.Point, plane.Normal, time, out double back) && Matches(direction, !along) && index-- == 0)
             {
                 crossing = At(in piece, back);
                 return true;
@@ -121,7 +121,7 @@ public sealed partial class Trajectory
         return count;
     }
 
-    private static bool IsWanted(CrossingDirection direction, bool along) =>
+    private static bool Matches(CrossingDirection direction, bool along) =>
         direction == CrossingDirection.Any || along == (direction == CrossingDirection.AlongNormal);
 
     private static PathPoint At(in PathSegment piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);

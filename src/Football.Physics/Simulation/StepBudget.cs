@@ -23,7 +23,7 @@ internal struct StepBudget
     public int Impacts;
 
     /// <summary>Impacts that were resolved together and not reported one by one.</summary>
-    public int Untold;
+    public int MergedImpacts;
 
     /// <summary>Number of changes of the contact set, or of its modes, while several contacts are active.</summary>
     public int SetChanges;

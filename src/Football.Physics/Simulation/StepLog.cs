@@ -212,7 +212,7 @@ public sealed partial class StepLog
         Steps = mark.Steps;
         Evaluations = mark.Evaluations;
         StalledSteps = mark.Stalled;
-        UnreportedImpacts = mark.Untold;
+        UnreportedImpacts = mark.Unreported;
         LeftOut = mark.LeftOut;
         Halted = false;
     }
@@ -238,6 +238,6 @@ public sealed partial class StepLog
 /// <param name="Steps">Pieces.</param>
 /// <param name="Evaluations">Force evaluations.</param>
 /// <param name="Stalled">Steps that reached their limit.</param>
-/// <param name="Untold">Events that were only counted.</param>
+/// <param name="Unreported">Events that were only counted.</param>
 /// <param name="LeftOut">Contacts dropped from a set.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Untold, long LeftOut);
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Unreported, long LeftOut);

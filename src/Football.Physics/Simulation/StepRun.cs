@@ -106,7 +106,7 @@ internal ref struct StepRun
     public int FirstEvent;
 
     /// <summary>Number of impacts that were merged and not reported one by one.</summary>
-    public int Untold;
+    public int MergedImpacts;
 
     /// <summary>Receives events and counts.</summary>
     public StepLog Log;
@@ -146,7 +146,7 @@ internal ref struct StepRun
         Splits = Splits,
         AllImpacts = AllImpacts,
         Impacts = Impacts,
-        Untold = Untold,
+        MergedImpacts = MergedImpacts,
         SetChanges = SetChanges,
         SetPieces = SetPieces,
         Parts = Parts,
@@ -270,7 +270,7 @@ internal ref struct StepRun
         Splits = spent.Splits;
         AllImpacts = spent.AllImpacts;
         Impacts = spent.Impacts;
-        Untold = spent.Untold;
+        MergedImpacts = spent.MergedImpacts;
         SetChanges = spent.SetChanges;
         SetPieces = spent.SetPieces;
         Parts = spent.Parts;

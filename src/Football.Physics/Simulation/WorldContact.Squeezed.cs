@@ -8,7 +8,7 @@ namespace FootballPhysics.Simulation;
 internal sealed partial class WorldContact
 {
     /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
-    private const int MostUntold = 3;
+    private const int MostMerged = 3;
 
     /// <summary>Resolves all contacts at once without restitution.</summary>
     /// <remarks>The ball then closes on no stationary object. Moving objects may squeeze it.</remarks>
@@ -23,7 +23,7 @@ internal sealed partial class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         var before = new Motion(s.Position, in v, in w);
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Untold++ < MostUntold;
+        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.MergedImpacts++ < MostMerged;
 
         // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))

@@ -189,7 +189,7 @@ public sealed class WorldContactTests
         Assert.Equal("ground", table.Simulator.NameOf((int)s.Carrier));
 
         // The fourth time in one step there is no answer any more; but objects that stand still never squeeze a ball.
-        run.Untold = 3;
+        run.MergedImpacts = 3;
         run.Impacts = 10;
         s.Velocity = new Vector3d(-10, 0, 0);
         table.Contact.Impact(ref s, table.Of("wall"), ref run);

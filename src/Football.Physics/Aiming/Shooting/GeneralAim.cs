@@ -54,7 +54,7 @@ internal sealed class GeneralAim
         _curve = new SolutionCurve(_problem);
     }
 
-    private enum Wanted
+    private enum Choice
     {
         First,
         Earliest,
@@ -83,7 +83,7 @@ internal sealed class GeneralAim
 
         _scan.Clear();
         _scan.Fly(Rows, Columns, speed, top, side);
-        return Follow(MostStarts, arc == AimArc.Low ? Wanted.Earliest : Wanted.Latest, leavesHalf: true, ref solution, ref found);
+        return Follow(MostStarts, arc == AimArc.Low ? Choice.Earliest : Choice.Latest, leavesHalf: true, ref solution, ref found);
     }
 
     /// <summary>Finds the kick at a given speed that hits the target, starting from a nearby kick.</summary>
@@ -112,7 +112,7 @@ internal sealed class GeneralAim
         if (_problem.CanRoll(request))
         {
             BeginAtTime(request, rolls: true);
-            if (FromModel(time, out solution) || FromScans(request, time, Wanted.First, ref solution, found: false))
+            if (FromModel(time, out solution) || FromScans(request, time, Choice.First, ref solution, found: false))
             {
                 return true;
             }
@@ -123,7 +123,7 @@ internal sealed class GeneralAim
         if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
         {
             BeginAtTime(request, rolls: false);
-            if ((turnsBack && FromBehind(time, out solution)) || FromScans(request, time, Wanted.First, ref solution, found: false))
+            if ((turnsBack && FromBehind(time, out solution)) || FromScans(request, time, Choice.First, ref solution, found: false))
             {
                 return true;
             }
@@ -156,7 +156,7 @@ internal sealed class GeneralAim
         bool found = FromSlowestModel(request, out solution);
         solution.Vectors(out Vector3d velocity, out _);
         bool isOnlyOne = found && !_problem.IsRuledByAir && _context.Scene.Air.Wind.Horizontal.Length < Drift * velocity.Horizontal.Length;
-        return isOnlyOne || FromScans(request, null, Wanted.Slowest, ref solution, found);
+        return isOnlyOne || FromScans(request, null, Choice.Slowest, ref solution, found);
     }
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
@@ -310,7 +310,7 @@ internal sealed class GeneralAim
     /// <param name="top">The topspin, in rad/s.</param>
     /// <param name="side">The sidespin, in rad/s.</param>
     /// <param name="solution">The kick.</param>
-    /// <param name="isDoubtful">True if there may be another kick on the wanted arc.</param>
+    /// <param name="isDoubtful">True if there may be another kick on the requested arc.</param>
     private bool FromModels(double speed, AimArc arc, double top, double side, ref AimSolution solution, out bool isDoubtful)
     {
         // As the time of flight increases, the required speed first falls (low arc) and then rises (high arc).
@@ -321,11 +321,11 @@ internal sealed class GeneralAim
             return FromModel(slowest, speed, top, side, ref solution);
         }
 
-        double wanted = TimeOfModel(slowest, arc == AimArc.Low, top, side, speed, null);
+        double chosen = TimeOfModel(slowest, arc == AimArc.Low, top, side, speed, null);
         double other = TimeOfModel(slowest, arc != AimArc.Low, top, side, speed, null);
-        if (FromModel(wanted, speed, top, side, ref solution))
+        if (FromModel(chosen, speed, top, side, ref solution))
         {
-            isDoubtful = Math.Abs(Elementary.Log(solution.Time / wanted)) > Math.Abs(Elementary.Log(solution.Time / other));
+            isDoubtful = Math.Abs(Elementary.Log(solution.Time / chosen)) > Math.Abs(Elementary.Log(solution.Time / other));
             return true;
         }
 
@@ -385,21 +385,21 @@ internal sealed class GeneralAim
     }
 
     /// <summary>Solves from scans at several speeds.</summary>
-    private bool FromScans(AimRequest request, double? time, Wanted wanted, ref AimSolution solution, bool found)
+    private bool FromScans(AimRequest request, double? time, Choice choice, ref AimSolution solution, bool found)
     {
         double speed = request.Speed;
-        for (int i = 0; i < Scans && !(found && wanted == Wanted.First); i++, speed *= SlowerScan)
+        for (int i = 0; i < Scans && !(found && choice == Choice.First); i++, speed *= SlowerScan)
         {
             _scan.Clear();
             _scan.Fly(FreeRows, FreeColumns, speed, request.TopSpin, request.SideSpin, time);
-            Follow(MostFreeStarts, wanted, leavesHalf: false, ref solution, ref found);
+            Follow(MostFreeStarts, choice, leavesHalf: false, ref solution, ref found);
         }
 
         return found;
     }
 
     /// <summary>Solves from the starts of a scan.</summary>
-    private bool Follow(int most, Wanted wanted, bool leavesHalf, ref AimSolution solution, ref bool found)
+    private bool Follow(int most, Choice choice, bool leavesHalf, ref AimSolution solution, ref bool found)
     {
         for (int start = 0; start < Math.Min(most, _scan.Count) && !(leavesHalf ? _context.IsHalfSpent : _context.IsSpent); start++)
         {
@@ -409,15 +409,15 @@ internal sealed class GeneralAim
                 continue;
             }
 
-            if (wanted == Wanted.Slowest && Descended(out AimSolution slower))
+            if (choice == Choice.Slowest && Descended(out AimSolution slower))
             {
                 one = slower;
             }
 
-            bool isBetter = wanted == Wanted.Slowest ? one.Speed < solution.Speed : wanted == Wanted.Latest ? one.Time > solution.Time : one.Time < solution.Time;
+            bool isBetter = choice == Choice.Slowest ? one.Speed < solution.Speed : choice == Choice.Latest ? one.Time > solution.Time : one.Time < solution.Time;
             solution = !found || isBetter ? one : solution;
             found = true;
-            if (wanted == Wanted.First)
+            if (choice == Choice.First)
             {
                 break;
             }

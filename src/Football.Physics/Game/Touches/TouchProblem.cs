@@ -56,7 +56,7 @@ internal abstract class TouchProblem : ILeastSquares
     public bool Evaluate(double[] x, double[] r)
     {
         _flights++;
-        Wanted(x, out Vector3d velocity, out Vector3d spin);
+        TargetMotion(x, out Vector3d velocity, out Vector3d spin);
         if (!((velocity - Ball.Velocity).Length > 1e-9))
         {
             // The ball already moves as required, so let the foot barely touch it.
@@ -88,7 +88,7 @@ internal abstract class TouchProblem : ILeastSquares
     public abstract bool Follow(in Vector3d velocity, in Vector3d spin, double[] r);
 
     /// <summary>Returns the velocity and spin that the foot must give the ball.</summary>
-    protected abstract void Wanted(double[] x, out Vector3d velocity, out Vector3d spin);
+    protected abstract void TargetMotion(double[] x, out Vector3d velocity, out Vector3d spin);
 
     /// <summary>Simulates the ball for a time after a touch.</summary>
     protected void Run(in Vector3d velocity, in Vector3d spin, double duration)
@@ -126,7 +126,7 @@ internal sealed class DribbleProblem : TouchProblem
     {
         Ball = ball;
         _after = request.Duration;
-        _place = request.Wanted;
+        _place = request.BallTarget;
         _pace = request.RunSpeed;
         Free(spin: false);
     }
@@ -158,7 +158,7 @@ internal sealed class DribbleProblem : TouchProblem
         return true;
     }
 
-    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    protected override void TargetMotion(double[] x, out Vector3d velocity, out Vector3d spin)
     {
         velocity = new Vector3d(x[0], 0, x[1]);
         Vector3d rolling = Rolling(in velocity);
@@ -208,7 +208,7 @@ internal sealed class TrapProblem : TouchProblem
         return true;
     }
 
-    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    protected override void TargetMotion(double[] x, out Vector3d velocity, out Vector3d spin)
     {
         velocity = new Vector3d(x[0], 0, x[1]);
         spin = Rolling(in velocity);
@@ -291,7 +291,7 @@ internal sealed class FirstTimeProblem : TouchProblem
         return true;
     }
 
-    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    protected override void TargetMotion(double[] x, out Vector3d velocity, out Vector3d spin)
     {
         KickVectors.FromAngles(_speed, x[0], x[1], _request.TopSpin, _request.SideSpin, out velocity, out spin);
     }

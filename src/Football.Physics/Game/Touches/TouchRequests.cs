@@ -26,8 +26,8 @@ public sealed record DribbleRequest
     /// <summary>The maximum position error at which an inaccurate touch still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
-    /// <summary>The position at which he wants the ball, on the ground, in m.</summary>
-    internal Vector3d Wanted => Position + (((RunSpeed * Duration) + Lead) * Heading);
+    /// <summary>The target position of the ball, on the ground, in m.</summary>
+    internal Vector3d BallTarget => Position + (((RunSpeed * Duration) + Lead) * Heading);
 
     /// <summary>The unit vector in which he runs.</summary>
     internal Vector3d Heading => Check.Direction("dribble.direction", Direction.Horizontal);

@@ -70,7 +70,7 @@ public sealed class Touches
         _dribble.Set(in ball, request);
 
         // The first guess is the mean velocity over the ground.
-        Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.Duration;
+        Vector3d mean = (request.BallTarget - ball.Position).Horizontal / request.Duration;
         _x[0] = mean.X;
         _x[1] = mean.Z;
         _x[2] = 0;
