@@ -44,9 +44,9 @@ internal static class PresetTable
             ("ball", DragCurve.Generic, "derived", "mean of Tango 12, Teamgeist and Brazuca, rounded"), ("Tango 12", DragCurve.Tango12, "measured", Tunnel),
             ("Teamgeist", DragCurve.Teamgeist, "measured", Tunnel), ("Jabulani", DragCurve.Jabulani, "measured", Tunnel), ("Brazuca", DragCurve.Brazuca, "measured", Tunnel),
             ("modern", DragCurve.Modern, "measured", "roughness 0.86: the flights of one minute of one match at 2 600 m, 2024; crisis 85 000 … 110 000"),
-            ("Telstar 18", BallProperties.Telstar18.DragCurve, "derived", "Brazuca's, long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as told)"),
+            ("Telstar 18", BallProperties.Telstar18.DragCurve, "derived", "Brazuca's, long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported)"),
             ("Flight 2020", BallProperties.Flight2020.DragCurve, "guess", "roughness 0.25 … 0.5"),
-            ("Al Rihla", BallProperties.AlRihla.DragCurve, "derived", "roughness 0.31: crisis later than Trionda's, near Brazuca's, as told"),
+            ("Al Rihla", BallProperties.AlRihla.DragCurve, "derived", "roughness 0.31: crisis later than Trionda's, near Brazuca's, as reported"),
             ("Fussballliebe", BallProperties.Fussballliebe.DragCurve, "guess", "roughness 0.25 … 0.45"),
             ("Trionda", BallProperties.Trionda.DragCurve, "derived", "roughness 0.35: crisis at 12.1 m/s, measured (University of Tsukuba, as reported); more drag at speed, guess"),
         ];
