@@ -127,7 +127,7 @@ template <class World> class Harness {
         return -world.get(0)[2];
     }
 
-    // A second world starts from the 13 numbers of the ball 40 steps after the kick and runs 3 s ahead. How far is it from the first?
+    // A second world starts from the state that the first saved 40 steps after the kick, and runs 3 s ahead. How far is it from the first?
     void predict(double &least, double &off) {
         least = INFINITY, off = 0;
         World second(Options{.ground = true});
@@ -136,11 +136,11 @@ template <class World> class Harness {
             World world(Options{.ground = true});
             kick(world, kicks[k]);
             for (int i = 0; i < 40; i++) world.step(kFrame);
-            State state = world.get(0);
+            auto state = world.save();
             std::vector<State> ahead;
             for (int round = 0; round < 5; round++) {
                 double from = now();
-                second.set(0, state);
+                second.restore(state);
                 ahead = path(second, 180);
                 least = std::min(least, (now() - from) / 1000);
             }

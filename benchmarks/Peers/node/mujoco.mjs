@@ -49,11 +49,15 @@ function create({ ground, post: withPost, rolling, step }) {
       data.qvel.set(s.slice(7), 6 * i);
     },
     save() {
+      ready();
       buffer ??= new mujoco.DoubleBuffer(mujoco.mj_stateSize(model, whole));
       mujoco.mj_getState(model, data, buffer, whole);
       return Array.from(buffer.GetView());
     },
-    restore: (saved) => mujoco.mj_setState(model, data, saved, whole),
+    restore(saved) {
+      ready();
+      mujoco.mj_setState(model, data, saved, whole);
+    },
     bytes: (saved) => 8 * saved.length,
     free() {
       buffer?.delete();
