@@ -91,8 +91,10 @@ template <class World> class Harness {
         return least;
     }
 
-    // The greatest height between the first bounce and the second.
-    static double apex(double from, double h) {
+    // The greatest height between the first bounce and the second. A frame of more than 1/60 s becomes equal steps of at most 1/60 s: manuals ask for it.
+    static double apex(double from, double frameTime) {
+        const int parts = std::max(1, static_cast<int>(std::ceil(frameTime * 60 - 0.01)));
+        const double h = frameTime / parts;
         World world(Options{.ground = true, .step = h});
         world.add({0, from, 0}, {}, {});
         double top = 0;

@@ -81,8 +81,10 @@ function costOfMany(engine, shots) {
   return least;
 }
 
-// The greatest height between the first bounce and the second.
-function apex(engine, from, h) {
+// The greatest height between the first bounce and the second. A frame of more than 1/60 s becomes equal steps of at most 1/60 s: manuals ask for it.
+function apex(engine, from, frameTime) {
+  const parts = Math.max(1, Math.ceil(frameTime * 60 - 0.01));
+  const h = frameTime / parts;
   const world = engine.create({ ground: true, step: h });
   world.add([0, from, 0], none, none);
   let [top, rises] = [0, false];
