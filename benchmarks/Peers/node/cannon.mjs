@@ -3,11 +3,19 @@ import { readFileSync } from "node:fs";
 import * as CANNON from "cannon-es";
 import { ball, friction, gravity, post, restitution, run } from "./harness.mjs";
 
+// The broad phase leaves its sweep at the first pair out of reach, but looks at the filter first: with balls that ignore each other it never leaves.
+class Sweep extends CANNON.SAPBroadphase {
+  needBroadphaseCollision() { return true; }
+  intersectionTest(a, b, first, second) {
+    if (super.needBroadphaseCollision(a, b)) super.intersectionTest(a, b, first, second);
+  }
+}
+
 function create({ ground, post: withPost, step, count }) {
   const world = new CANNON.World({ gravity: new CANNON.Vec3(0, -gravity, 0) });
   // The documentation recommends the sweep-and-prune broad phase for many bodies.
   if (count) {
-    world.broadphase = new CANNON.SAPBroadphase(world);
+    world.broadphase = new Sweep(world);
     // The default matrices are arrays over all pairs and exceed the heap with 10,000 bodies.
     world.collisionMatrix = new CANNON.ObjectCollisionMatrix();
     world.collisionMatrixPrevious = new CANNON.ObjectCollisionMatrix();
