@@ -8,9 +8,9 @@ const metres = (x) => (x === 0 ? "0" : x < 1e-6 ? "below 1 µm" : x < 1e-3 ? `${
 const columns = [
   ["peer", (p) => `${p.name} ${p.version}`.trim()],
   ["build", (p) => p.build],
-  ["1 ball, ns per step", (p) => number(p.cost1)],
-  ["10⁴ balls, ns per ball and step", (p) => dash(p.cost10k, number)],
-  ["bounce, m: steps of 5, 10, 16.7, 40 ms", (p) => dash(p.tops, (t) => t.map((x) => number(x, 2)).join(", "))],
+  ["1 ball, ns per frame", (p) => number(p.cost1)],
+  ["10⁴ balls, ns per ball and frame", (p) => dash(p.cost10k, number)],
+  ["bounce, m: frames of 5, 10, 16.7, 40 ms", (p) => dash(p.tops, (t) => t.map((x) => number(x, 2)).join(", "))],
   ["restitution of 200 drops", (p) => dash(p.reboundLow, () => `${number(p.reboundLow, 3)} to ${number(p.reboundHigh, 3)}`)],
   ["post without CCD, 60 Hz", (p) => dash(p.post60, String)],
   ["post without CCD, 240 Hz", (p) => dash(p.post240, String)],
