@@ -18,9 +18,9 @@ while (tooMuch - damping > 1e-9) {
 }
 
 function create({ ground, post: withPost, rolling, step }) {
-  // The default time step is 2 ms, and the default time constant of a contact 20 ms: a frame becomes equal steps of at most 2 ms.
+  // The default time step is 2 ms: a frame becomes equal steps of at most 2 ms. With a time constant of 30 ms instead of 20, a contact lasts nine steps and returns its speed more evenly.
   const parts = Math.ceil(step / 0.002 - 1e-9);
-  const contact = `solref="0.02 ${damping}" solimp="0.99 0.99 0.001" condim="${rolling ? 6 : 3}" friction="${friction} 0.005 ${rolling ? rollingArm : 0.0001}"`;
+  const contact = `solref="0.03 ${damping}" solimp="0.99 0.99 0.001" condim="${rolling ? 6 : 3}" friction="${friction} 0.005 ${rolling ? rollingArm : 0.0001}"`;
   const balls = [];
   let model, data, buffer;
 
