@@ -100,7 +100,7 @@ public sealed class Harness<TState>(Func<PeerOptions, IPeerWorld<TState>> create
 
         TState[] starts = [.. Enumerable.Range(0, Count).Select(world.Save)];
         double least = double.PositiveInfinity;
-        for (int round = 0; round < 3; round++)
+        for (int round = 0; round < 10; round++)
         {
             for (int i = 0; i < Count; i++)
             {

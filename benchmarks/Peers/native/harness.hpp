@@ -82,7 +82,7 @@ template <class World> class Harness {
         for (int i = 0; i < count; i++) kick(world, kicks[i], {3.0 * (i % 100), 1, 3.0 * (i / 100)});
         for (int i = 0; i < count; i++) starts.push_back(world.get(i));
         double least = INFINITY;
-        for (int round = 0; round < 3; round++) {
+        for (int round = 0; round < 10; round++) {
             for (int i = 0; i < count; i++) world.set(i, starts[i]);
             double from = now();
             for (int i = 0; i < 60; i++) world.step(kFrame);

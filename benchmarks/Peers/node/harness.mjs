@@ -70,7 +70,7 @@ function costOfMany(engine, shots) {
 
   for (let i = 0; i < count; i++) starts.push(world.get(i));
   world.ready?.();
-  for (let round = 0; round < 3; round++) {
+  for (let round = 0; round < 10; round++) {
     for (let i = 0; i < count; i++) world.set(i, starts[i]);
     const from = process.hrtime.bigint();
     for (let i = 0; i < 60; i++) world.step(frame);
