@@ -11,6 +11,15 @@ internal static class QuadSine
 
     private const double HalfPi = 1.57079632679489661923;
 
+    /// <summary>The distance from which a wave no longer changes, in m: a double then resolves only a tenth of a millimetre.</summary>
+    private const double Farthest = 1e12;
+
+    /// <summary>Limits a distance to the range in which waves have sines.</summary>
+    /// <remarks>The polynomials of an angle beyond 2⁵¹ turns would grow without bounds.</remarks>
+    /// <param name="distance">The distance, in m, along waves of 1 mm or more.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Limited(double distance) => Math.Min(Math.Max(distance, -Farthest), Farthest);
+
     /// <summary>Computes sines and cosines.</summary>
     /// <param name="turns">The angles divided by 2π; below 1e15 in magnitude.</param>
     /// <param name="sin">The sines.</param>

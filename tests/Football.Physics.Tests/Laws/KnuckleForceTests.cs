@@ -50,6 +50,17 @@ public sealed class KnuckleForceTests
         Assert.Equal(0, At(30, 0.06 * 30 / 0.11 * 1.001));
     }
 
+    [Theory]
+    [InlineData(1e13)]
+    [InlineData(1e16)]
+    [InlineData(7e18)]
+    [InlineData(1e45)]
+    public void It_stays_bounded_beyond_distances_that_have_digits(double distance)
+    {
+        var force = KnuckleForce.Of(Scene.Measured with { Ball = BallProperties.Tunnel, Forces = ForceSet.Measured with { KnuckleSeed = 5 } })!;
+        Assert.InRange(force.Acceleration(new Vector3d(30, 0, 0), Vector3d.Zero, distance).Length, 0, 30 * 30 * force.Bound.At(1, 0));
+    }
+
     [Fact]
     public void Straight_up_it_is_finite_and_across()
     {

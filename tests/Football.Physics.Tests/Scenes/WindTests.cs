@@ -34,6 +34,17 @@ public sealed class WindTests
         Assert.Equal(up, wind.Y, 6e-7);
     }
 
+    [Theory]
+    [InlineData(1e13, 0)]
+    [InlineData(1e15, 0)]
+    [InlineData(0, 1e20)]
+    [InlineData(0, -1e45)]
+    public void Gusts_stay_bounded_beyond_distances_that_have_digits(double time, double distance)
+    {
+        var wind = new WindByHeight(20, 0, 1, gusts: new Gusts { Seed = 4, Length = 1 });
+        Assert.InRange(wind.At(time, new Vector3d(0, 10, distance)).Length, 0, wind.MaximumSpeed);
+    }
+
     [Fact]
     public void Gusts_have_their_strength_over_a_long_way_and_no_mean()
     {

@@ -95,7 +95,7 @@ internal sealed class KnuckleForce
     // f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)),  c = 1/√(Σ w²/2)
     private static double Wobble(FourWaves waves, double distance)
     {
-        QuadSine.SinCos((waves.TurnsPerMetre * Quad.Of(distance)) + waves.Phase, out Quad sin, out _);
+        QuadSine.SinCos((waves.TurnsPerMetre * Quad.Of(QuadSine.Limited(distance))) + waves.Phase, out Quad sin, out _);
         return (waves.Amplitude * sin).Sum;
     }
 

@@ -87,7 +87,7 @@ internal sealed class GustWaves
         Quad along = default;
         Quad across = default;
         Quad up = default;
-        var far = Quad.Of(distance);
+        var far = Quad.Of(QuadSine.Limited(distance));
         foreach (ref readonly FourWaves waves in _waves.AsSpan())
         {
             // Evaluate four waves at a time. Angles are in turns, so that removing full turns is exact.
