@@ -22,7 +22,7 @@ public sealed unsafe class FrictionBraceTests
         {
             for (int i = 0; i < 6; i++)
             {
-                x[i] = i % 3 == 0 ? Any(0.1, 8) : Any(-3, 3);
+                x[i] = i % 3 == 0 ? Any(0.1, draw % 2 == 0 ? 1 : 8) : Any(-3, 3) / (1 + (draw % 3));
                 z[i] = i % 3 == 0 ? Any(-0.5, 1) : Any(-0.7, 0.7);
                 sliding[i / 3] = Any(0.1, 1.5);
             }
@@ -67,7 +67,7 @@ public sealed unsafe class FrictionBraceTests
             moved++;
         }
 
-        Assert.True(moved > 200 && inVain > 100, $"{moved} moved, {inVain} in vain");
+        Assert.True(moved > 100 && inVain > 100, $"{moved} moved, {inVain} in vain");
 
         bool Fits(double change) => IsWithin(0, change) && IsWithin(1, change);
 

@@ -1,0 +1,193 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Tests.Things;
+
+/// <summary>The table of engine colliders: when it asks the engine, which colliders it finds, how fast they are, and which were pushed.</summary>
+public sealed class EngineThingsTests
+{
+    private const double Radius = 0.11;
+
+    /// <summary>A cast answers all questions within its volume: 2 cm about a ball, or about the segment of a path.</summary>
+    [Fact]
+    public void One_cast_answers_for_its_volume()
+    {
+        var engine = new ShapesAsEngine();
+        engine.Add("floor", new PlaneShape(Vector3d.Zero, Vector3d.Up));
+        EngineThings things = ThingsOf(engine);
+        var place = new Vector3d(1, Radius, 2);
+        things.LookAt(in place, 0, 0);
+        Assert.Equal(1, engine.Casts);
+        Assert.Equal(1, things.Count);
+        things.LookAt(in place, 0, 0);
+        things.LookAt(place + new Vector3d(0.009, 0, 0), 0, 0);
+        things.LookAt(place + new Vector3d(0, 0, -0.005), 0, 0.014);
+        Assert.Equal(1, engine.Casts);
+        things.LookAt(place + new Vector3d(0, 0, -0.005), 0, 0.016);
+        Assert.Equal(2, engine.Casts);
+        things.Forget();
+        things.LookAt(place + new Vector3d(0, 0, -0.005), 0, 0.016);
+        Assert.Equal(3, engine.Casts);
+
+        // Beside the segment of a path, at any point of it, and beyond its ends.
+        var path = PathCubic.Line(in place, new Vector3d(20, 0, 0), 0.1);
+        things.LookAlong(in path, 0);
+        Assert.Equal(4, engine.Casts);
+        foreach (double along in new[] { -0.009, 0, 0.7, 2, 2.009 })
+        {
+            things.LookAt(place + new Vector3d(along, 0, 0), 0, 0);
+        }
+
+        things.LookAt(place + new Vector3d(1.3, 0, 0.0095), 0, 0);
+        Assert.Equal(4, engine.Casts);
+        things.LookAt(place + new Vector3d(1.3, 0, 0.0105), 0, 0);
+        Assert.Equal(5, engine.Casts);
+    }
+
+    /// <summary>The engine says how fast its colliders are. One that rotates is faster at the point farthest from its axis.</summary>
+    [Fact]
+    public void A_rotating_collider_raises_the_greatest_speed()
+    {
+        var rod = new EngineCollider("rod", new BoxShape(Vector3d.Zero, new Vector3d(0.3, 0.4, 1.2)));
+        var engine = new Rigid(rod) { MaximumSpeed = 3 };
+        EngineThings things = ThingsOf(engine);
+        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, new Vector3d(1, 0, 0), Vector3d.Zero);
+        things.LookAt(new Vector3d(0, 5, 0), 0, 1);
+        Assert.Equal(3, things.GreatestSpeed);
+        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(0, 6, 0));
+        things.LookAt(new Vector3d(0, 5, 0), 0, 1.1);
+        Assert.Equal(1 + (6 * new Vector3d(0.3, 0, 1.2).Length), things.GreatestSpeed, 1e-9);
+        engine.MaximumSpeed = 30;
+        Assert.Equal(30, things.GreatestSpeed);
+
+        // After it stops, the next cast forgets it.
+        engine.MaximumSpeed = 2;
+        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, default, Vector3d.Zero);
+        things.LookAt(new Vector3d(0, 5, 0), 0, 1.3);
+        Assert.Equal(2, things.GreatestSpeed);
+    }
+
+    /// <summary>The engine has its own clock: a collider that moves is found where it may be when the ball passes, whichever clock is ahead.</summary>
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(0.5, 0)]
+    [InlineData(0, 0.5)]
+    [InlineData(-0.5, 0)]
+    [InlineData(3, 3.2)]
+    public void A_cast_is_wider_by_the_way_between_the_clocks(double time, double engineTime)
+    {
+        const double Duration = 0.25;
+        var engine = new Rigid(new EngineCollider("box", new SphereShape(Vector3d.Zero, 1))) { MaximumSpeed = 8, Time = engineTime };
+        EngineThings things = ThingsOf(engine);
+        things.LookAlong(PathCubic.Line(Vector3d.Zero, new Vector3d(4, 0, 0), Duration), time);
+        double apart = Math.Max(Math.Abs(time - engineTime), Math.Abs(time + Duration - engineTime));
+        Assert.Equal(Radius + 0.02 + (8 * apart), engine.Last.Radius, 1e-9);
+        Assert.Equal(1, engine.Last.Distance, 1e-9);
+    }
+
+    /// <summary>A carrier that the engine no longer has does not carry: the ball falls.</summary>
+    [Fact]
+    public void A_ball_on_an_unknown_collider_falls()
+    {
+        var engine = new ShapesAsEngine();
+        engine.Add("floor", new PlaneShape(Vector3d.Zero, Vector3d.Up));
+        var simulator = new Simulator(new Scene { Ball = new BallProperties { Radius = Radius }, Air = new Air { Density = 0 }, Gravity = 9.81, Ground = Ground.None, EngineColliders = engine });
+        BallState state = simulator.Launch(new Vector3d(0, 3, 0), Vector3d.Zero, Vector3d.Zero);
+        state.Motion = MotionState.Rest;
+        foreach (int carrier in new[] { EngineCollider.FirstNumber, EngineCollider.FirstNumber + 1, new EngineCollider("gone").Number })
+        {
+            BallState ball = state;
+            ball.Carrier = carrier;
+            var log = new StepLog();
+            simulator.Step(ref ball, 0.1, log);
+            simulator.Step(ref ball, 0.1, log);
+            Assert.Equal(MotionState.Airborne, ball.Motion);
+            Assert.Equal(3 - (0.5 * 9.81 * 0.04), ball.Position.Y, 1e-9);
+        }
+    }
+
+    /// <summary>Pushes hold until the engine's time advances. A look-ahead keeps those of the step that goes on after it.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_push_at_a_later_time_ends_earlier_ones_except_in_a_look_ahead(bool looksAhead)
+    {
+        var pushes = EnginePushes.Of(new ShapesAsEngine());
+        EngineCollider[] all = [.. Enumerable.Range(0, 3).Select(i => new EngineCollider($"{i}", new SphereShape(Vector3d.Zero, 1)) { Mass = 2 })];
+        foreach (EngineCollider collider in all)
+        {
+            collider.MoveTo(new Vector3d(collider.Number % 7, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+            collider.FoundAt(0);
+        }
+
+        Push(all[0], 0);
+        Push(all[1], 0);
+        Push(all[0], 0);
+        Assert.Equal(2, Count());
+        Assert.Equal(new Vector3d(2, 0, 0), all[0].Placement.Motion.Velocity);
+        if (looksAhead)
+        {
+            pushes.Keep(EnginePushes.OfLook);
+        }
+
+        // The engine places all of them again, at a later time.
+        foreach (EngineCollider collider in all)
+        {
+            collider.MoveTo(new Vector3d(collider.Number % 7, 1, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+            collider.FoundAt(0.5);
+        }
+
+        Push(all[2], 0.5);
+        Assert.Equal(looksAhead ? 3 : 1, Count());
+        Assert.Equal(looksAhead ? 0 : double.NaN, all[0].PushedAt);
+        if (looksAhead)
+        {
+            pushes.PutBack(EnginePushes.OfLook);
+            Assert.Equal(2, Count());
+            Assert.Equal(new Vector3d(2, 0, 0), all[0].Placement.Motion.Velocity);
+            Assert.Equal(Vector3d.Zero, all[2].Placement.Motion.Velocity);
+        }
+
+        pushes.Forget();
+        Assert.Equal(0, Count());
+        Assert.All(all, collider => Assert.Equal(Vector3d.Zero, collider.Placement.Motion.Velocity));
+
+        void Push(EngineCollider collider, double time)
+        {
+            pushes.Note(collider);
+            collider.Push(collider.Placement.Motion.Velocity + new Vector3d(1, 0, 0), time);
+        }
+
+        int Count()
+        {
+            int count = 0;
+            while (pushes.Has(count, 0, 0.1, out Bounds3d box))
+            {
+                // At least the collider now, and where it goes in the step.
+                Assert.True(box.Max.X - box.Min.X >= 2.1 - 1e-9, $"{box.Min} {box.Max}");
+                count++;
+            }
+
+            return count;
+        }
+    }
+
+    private static EngineThings ThingsOf(IEngineColliders engine) =>
+        new Simulator(new Scene { Ball = new BallProperties { Radius = Radius }, Ground = Ground.None, EngineColliders = engine }).World!.Engine!;
+
+    /// <summary>An engine that finds one collider everywhere.</summary>
+    private sealed class Rigid(EngineCollider collider) : IEngineColliders
+    {
+        public double Time { get; set; }
+
+        public double MaximumSpeed { get; set; }
+
+        public SphereCast Last { get; private set; }
+
+        public void Cast(in SphereCast cast, EngineHits hits)
+        {
+            Last = cast;
+            hits.Add(collider);
+        }
+    }
+}
