@@ -36,6 +36,24 @@ public sealed class ClusterModesTests
         Assert.True(found > 30 && pressed > 20, $"{found} found, {pressed} contacts of balls with load");
     }
 
+    /// <summary>Modes hold where they were found, and no longer if a load, a grip, a slip, a spin or a roll has passed its limit.</summary>
+    [Fact]
+    public void Modes_end_with_any_of_their_limits()
+    {
+        var random = new Random(77);
+        int ends = 0;
+        for (int i = 0; i < 150; i++)
+        {
+            var draw = new Heap(random, 2 + (i % 2), resists: i % 3 > 0);
+            if (draw.Settle(random, i % 4 > 0) && draw.Find())
+            {
+                ends += draw.CheckLimits(FormattableString.Invariant($"draw {i}"));
+            }
+        }
+
+        Assert.True(ends > 300, $"{ends} limits");
+    }
+
     /// <summary>Balls that touch each other, and planes and spheres of their own below each.</summary>
     private sealed class Heap
     {
@@ -242,6 +260,115 @@ public sealed class ClusterModesTests
             return pressed;
         }
 
+        /// <returns>The number of limits passed.</returns>
+        public int CheckLimits(string when)
+        {
+            // A slip or a spin that has only just started is at its limit already.
+            for (int k = 0; k < _system.ContactCount; k++)
+            {
+                ref readonly ClusterContact contact = ref _system.Contacts[k];
+                ref readonly SetContact on = ref contact.On;
+                if ((on.Bears && !on.Sticks && on.Sliding > 0 && on.Slip.Length < 1e-3) || (on.Bears && on.Sticks && on.Grip < 1e-6)
+                    || (contact.Second >= 0 && !contact.HoldsTwist && contact.Lever > 0 && Math.Abs(AboutOf(k, 0)) < 1e-3))
+                {
+                    return 0;
+                }
+            }
+
+            for (int i = 0; i < _system.Count; i++)
+            {
+                ref readonly ClusterBall ball = ref _system.Balls[i];
+                if (ball.Bearer >= 0 && !ball.HoldsSpin && Math.Abs(Vector3d.Dot(_spins[i], NormalOf(ball.Bearer, 0)) - _system.Contacts[ball.Bearer].On.CarrierSpin) < 1e-3)
+                {
+                    return 0;
+                }
+            }
+
+            Assert.True(ClusterModes.Hold(_system), when);
+            int ends = 0;
+            for (int k = 0; k < _system.ContactCount; k++)
+            {
+                ClusterContact before = _system.Contacts[k];
+                ref ClusterContact contact = ref _system.Contacts[k];
+                string at = FormattableString.Invariant($"{when}, contact {k}");
+                if (!before.On.Bears)
+                {
+                    contact.Gap = -1e-6;
+                    Ends($"{at} overlaps");
+                    contact.Gap = 0;
+                    contact.On.Opening = -1;
+                    Ends($"{at} closes");
+                    contact.Gap = 1e-6;
+                    Assert.True(ClusterModes.Hold(_system), $"{at} is open");
+                    contact = before;
+                    continue;
+                }
+
+                contact.On.Load = -before.On.Load;
+                Ends($"{at} pulls");
+                contact = before;
+                if (before.On.Sticks)
+                {
+                    contact.On.Friction = before.On.Friction + (2 * before.On.Sliding * before.On.Load * before.On.First);
+                    Ends($"{at} slips");
+                }
+                else if (before.On.Sliding > 0)
+                {
+                    contact.On.Direction = -before.On.Direction;
+                    Ends($"{at} stops");
+                }
+
+                contact = before;
+                if (before.Second >= 0 && before.Lever > 0)
+                {
+                    contact.Twist = 1.001 * before.Lever * before.On.Load;
+                    contact.TwistSign = -before.TwistSign;
+                    Ends($"{at} turns");
+                }
+
+                contact = before;
+            }
+
+            for (int i = 0; i < _system.Count; i++)
+            {
+                ClusterBall before = _system.Balls[i];
+                ref ClusterBall ball = ref _system.Balls[i];
+                ball.Bearer = before.Bearer < 0 ? 0 : -1;
+                Ends($"{when}, bearer of ball {i}");
+                ball = before;
+                if (before.Bearer < 0)
+                {
+                    continue;
+                }
+
+                ref readonly SetContact on = ref _system.Contacts[before.Bearer].On;
+                if (on.Drilling > 0)
+                {
+                    ball.HeldSpin = 1.001 * on.Drilling * before.PerMass * on.Load;
+                    ball.SpinSign = -before.SpinSign;
+                    Ends($"{when}, spin of ball {i}");
+                }
+
+                ball = before;
+                if (on.Sticks)
+                {
+                    ball.Along = -before.Along;
+                    Ends($"{when}, roll of ball {i}");
+                }
+
+                ball = before;
+            }
+
+            Assert.True(ClusterModes.Hold(_system), when);
+            return ends;
+
+            void Ends(string what)
+            {
+                Assert.False(ClusterModes.Hold(_system), what);
+                ends++;
+            }
+        }
+
         private double RadiusOf(int ball) => _system.Balls[ball].Radius;
 
         private Collider ColliderOf(int contact) => _system.Balls[_system.Contacts[contact].First].World.Colliders[_system.Contacts[contact].On.Collider];
@@ -404,6 +531,7 @@ public sealed class ClusterModesTests
 
             double starts = (Vector3d.Dot(SpinOf(index, Moment), NormalOf(ball.Bearer, Moment)) - Vector3d.Dot(SpinOf(index, -Moment), NormalOf(ball.Bearer, -Moment))) / (2 * Moment);
             Assert.True(Math.Abs(held) <= (drills * (1 + 1e-9)) + 1e-9, $"{when}, holds {held} of {drills}");
+            Assert.Equal(ball.HoldsSpin ? held : ball.HeldSpin, ball.HeldSpin, 1e-6);
             Assert.True(drills == 0 || (ball.HoldsSpin ? Math.Abs(starts) <= Close : held * starts <= Close), $"{when}, held {held}, starts {starts}");
         }
     }

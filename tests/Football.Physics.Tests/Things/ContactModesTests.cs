@@ -295,6 +295,7 @@ public sealed unsafe class ContactModesTests
             Assert.Equal(0, Vector3d.Dot(system.Acceleration, system.Along), Close);
             Assert.Equal(0, Vector3d.Cross(left, system.Along).Length, 1e-9);
             most = -Vector3d.Dot(left, system.Along);
+            Assert.Equal(-most, system.Held, 1e-8);
             direction = system.Along;
         }
         else if (stands && most > 0)
@@ -322,6 +323,7 @@ public sealed unsafe class ContactModesTests
         Vector3d earlier = collider.At(at.Position - (Moment * at.Velocity), -Moment).Normal;
         double starts = (Vector3d.Dot(at.Spin + (Moment * system.SpinAcceleration), later) - Vector3d.Dot(at.Spin - (Moment * system.SpinAcceleration), earlier)) / (2 * Moment);
         Assert.True(Math.Abs(held) <= drills * (1 + 1e-9) + 1e-9, $"{when}, holds {held} of {drills}");
+        Assert.Equal(system.HoldsSpin ? held : system.HeldSpin, system.HeldSpin, 1e-6);
         Assert.True(system.HoldsSpin == (drills > 0 && Math.Abs(held) < drills * (1 - 1e-9)) || Math.Abs(Math.Abs(held) - drills) < 1e-6, when);
         Assert.True(drills == 0 || (system.HoldsSpin ? Math.Abs(starts) <= Close : held * starts <= Close), $"{when}, held {held}, starts {starts}");
     }

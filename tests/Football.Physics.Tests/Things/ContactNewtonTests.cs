@@ -104,6 +104,33 @@ public sealed class ContactNewtonTests
         Assert.InRange(found, 0.97 * tried, tried);
     }
 
+    /// <summary>From no impulses and without slip, one step stops a ball that moves straight at a surface, along any axis: all of it is load.</summary>
+    [Theory]
+    [InlineData(0, 1, 0, false)]
+    [InlineData(0, 1, 0, true)]
+    [InlineData(1, 0, 0, true)]
+    [InlineData(0, 0, -1, false)]
+    [InlineData(-1, 0, 0, false)]
+    public void From_nothing_a_step_stops_a_ball(double x, double y, double z, bool resists)
+    {
+        var n = new Vector3d(x, y, z);
+        SurfaceMaterial rough = SurfaceMaterial.GoalFrame with { SlidingFriction = 0.6, RollingResistance = 0.05, TorsionalPatchRadius = 0.02, SpinDamping = 0.01 };
+        World world = new Simulator(new Scene
+        {
+            Ball = new BallProperties { Radius = Radius },
+            Ground = Ground.None,
+            Obstacles = [new Obstacle { Shape = new PlaneShape(-Radius * n, n), Surface = rough }],
+        }).World!;
+        BallState state = new() { Velocity = -2 * n };
+        Span<Contact> set = ContactSet.Near(world, in state, 0.01, new Contact[ContactSet.Room], world.Room);
+        var resistance = new TurningResistance { Bearer = resists ? 0 : -1 };
+        Vector3d v = state.Velocity;
+        Vector3d w = default;
+        ContactNewton.Step(set, world.Ball, 0.01, ref resistance, ref v, ref w);
+        Assert.Equal(2, set[0].Load, 1e-9);
+        Assert.InRange(v.Length + w.Length + set[0].Friction.Length + resistance.Rolling.Length + Math.Abs(resistance.Drilling), 0, 1e-9);
+    }
+
     /// <summary>What is left of the spin's change when the contacts' friction is taken off is what resists: about the normal of the heaviest, and across it.</summary>
     private static TurningResistance Resistance(Span<Contact> set, BallProperties ball, double duration, in BallState state, in Vector3d v, in Vector3d w)
     {

@@ -99,6 +99,55 @@ public sealed class ContactSearchTests
         Assert.True(met > 30 && free > 20, $"{met} met, {free} free");
     }
 
+    /// <summary>In a hollow, a straight path ends where the ball touches the sphere from the inside: |p₀ + v t − c| = R − r, however flat it meets the wall.</summary>
+    [Theory]
+    [InlineData(0.25)]
+    [InlineData(0.4)]
+    [InlineData(3)]
+    public void A_hollow_is_met_where_the_circle_says(double hollow)
+    {
+        var center = new Vector3d(0.3, 2, -0.7);
+        World world = new Simulator(new Scene
+        {
+            Ball = new BallProperties { Radius = Radius },
+            Ground = Ground.None,
+            Obstacles = [new Obstacle { Shape = new Hollow(center, hollow) }],
+        }).World!;
+        var random = new Random(90);
+        Vector3d Any() => new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
+        for (int i = 0; i < 200; i++)
+        {
+            // From near the wall, and along it, or from anywhere.
+            double depth = (hollow - Radius) * (i % 2 == 0 ? 1 - (0.05 * random.NextDouble()) : random.NextDouble());
+            Vector3d n = Any().Normalized();
+            Vector3d from = center + (depth * n);
+            Vector3d velocity = Any() * 10;
+            velocity -= i % 2 == 0 ? 0.98 * Vector3d.Dot(velocity, n) * n : Vector3d.Zero;
+            double b = Vector3d.Dot(from - center, velocity);
+            double c = (from - center).LengthSquared - ((hollow - Radius) * (hollow - Radius));
+            double expected = (-b + Math.Sqrt((b * b) - (velocity.LengthSquared * c))) / velocity.LengthSquared;
+            var path = PathCubic.Line(in from, in velocity, 2 * expected);
+            BallState state = new() { Position = from, Velocity = velocity, Motion = MotionState.Airborne };
+            Assert.Equal(expected, new ContactSearch(world, in path, 0).First(in state, -1, out _), 3e-7 * expected);
+        }
+    }
+
+    /// <summary>The inside of a sphere.</summary>
+    private sealed class Hollow(Vector3d center, double radius) : IShape
+    {
+        public double MaximumConcaveCurvature => 1 / radius;
+
+        public Bounds3d Bounds => new(center - new Vector3d(9, 9, 9), center + new Vector3d(9, 9, 9));
+
+        public ShapePoint At(in Vector3d point)
+        {
+            Vector3d off = point - center;
+            double distance = off.Length;
+            Vector3d n = distance > 0 ? -off / distance : Vector3d.Up;
+            return new ShapePoint(radius - distance, in n, SymmetricMatrix3d.AroundPoint(in n, -Math.Max(distance, 1e-9)));
+        }
+    }
+
     /// <summary>Between two samples a ball may touch and leave again.</summary>
     private static bool Shallow(World world, in PathCubic path, double time, double found, double dt)
     {
