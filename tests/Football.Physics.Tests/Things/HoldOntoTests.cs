@@ -113,7 +113,7 @@ public sealed class HoldOntoTests
             {
                 Ball = new BallProperties { Radius = Radius },
                 Ground = Ground.None,
-                Obstacles = [.. heights.Select((height, i) => new Obstacle { Name = $"{i}", Shape = new BoxShape(new Vector3d(0, height - 0.5, 0), new Vector3d(2 + i, 0.5, 2)) })],
+                Obstacles = [.. heights.Select((height, i) => new Obstacle { Name = $"{i}", Shape = new BoxShape(new Vector3d(0.2 * i, height - 0.5, 0), new Vector3d(2, 0.5, 2)) })],
             };
             World world = new Simulator(scene).World!;
             int highest = Array.IndexOf(heights, heights.Max());
