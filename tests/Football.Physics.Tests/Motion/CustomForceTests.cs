@@ -43,6 +43,21 @@ public sealed class CustomForceTests
         Assert.InRange(Differences.Rotation(expected.Orientation, actual.Orientation), 0, 1e-8);
     }
 
+    /// <summary>A ball that rolls against a constant force turns round if rolling friction cannot hold it there, and stays if it can.</summary>
+    [Theory]
+    [ProfileData]
+    public void A_force_turns_a_rolling_ball_round_unless_friction_holds_it(Profile profile)
+    {
+        foreach ((double force, bool holds) in new[] { (2.0, false), (0.05, true) })
+        {
+            Scene scene = profile.Scene() with { Air = new Air { Density = 0 }, Forces = profile.Forces() with { Buoyancy = false, CustomForces = [IForce.From(_ => new Vector3d(-force, 0, 0))] } };
+            double r = scene.Ball.Radius;
+            BallState s = Flight.Play(scene, SolverSettings.Default, 0.01, 6, StopAt.Time, new Vector3d(0, r, 0), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1 / r), out _);
+            Assert.Equal(holds, s.Motion == MotionState.Rest);
+            Assert.True(holds ? s.Velocity == Vector3d.Zero : s.Velocity.X < -1, $"{s}");
+        }
+    }
+
     [Theory]
     [ProfileData]
     public void A_force_that_does_nothing_changes_nothing_through_a_whole_life(Profile profile)

@@ -137,9 +137,9 @@ internal sealed partial class TouchingBalls
                     }
                 }
 
-                if (turns[k] && j >= 0)
+                if (turns[k])
                 {
-                    Meet(i, j, Vector3d.Zero, n / RadiusOf(i), -n / RadiusOf(j), 0);
+                    Meet(i, j, Vector3d.Zero, n / RadiusOf(i), j < 0 ? default : -n / RadiusOf(j), j < 0 ? Vector3d.Dot(ColliderOf(k).Spin, n) : 0);
                 }
             }
         }

@@ -129,6 +129,18 @@ public sealed class ContactNewtonTests
         ContactNewton.Step(set, world.Ball, 0.01, ref resistance, ref v, ref w);
         Assert.Equal(2, set[0].Load, 1e-9);
         Assert.InRange(v.Length + w.Length + set[0].Friction.Length + resistance.Rolling.Length + Math.Abs(resistance.Drilling), 0, 1e-9);
+
+        // With a slip that friction cannot stop: μ of the load, against the slip.
+        Vector3d along = 5 * new Vector3d(n.Y, n.Z, n.X);
+        state = new() { Velocity = along - (2 * n) };
+        set = ContactSet.Near(world, in state, 0.01, new Contact[ContactSet.Room], world.Room);
+        resistance = new TurningResistance { Bearer = -1 };
+        v = state.Velocity;
+        w = default;
+        ContactNewton.Step(set, world.Ball, 0.01, ref resistance, ref v, ref w);
+        Assert.Equal(2, set[0].Load, 1e-9);
+        Assert.InRange((set[0].Friction + (0.6 * 2 * along / 5)).Length, 0, 1e-9);
+        Assert.InRange((v - (along * (1 - (0.6 * 2 / 5)))).Length, 0, 1e-9);
     }
 
     /// <summary>What is left of the spin's change when the contacts' friction is taken off is what resists: about the normal of the heaviest, and across it.</summary>
