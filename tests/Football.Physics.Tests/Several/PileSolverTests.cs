@@ -1,4 +1,5 @@
 using FootballPhysics.Simulation;
+using FootballPhysics.State;
 
 namespace FootballPhysics.Tests.Several;
 
@@ -102,6 +103,45 @@ public sealed class PileSolverTests
         double slowed = speed - solver.Members[0].V.X;
         Assert.Equal(slip > 0 ? 0.5 * Pull : speed > 0 ? 0.07 * Pull : 0, slowed, 1e-9);
         Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Members[0].W.Y, 1e-9);
+    }
+
+    /// <summary>Surfaces that stand still do no work: what contacts change of the free velocities is at most across the velocities left, Σ m (v − v_free)·v = 0. Those that move may.</summary>
+    [Theory]
+    [InlineData(1.3, false)]
+    [InlineData(0.7, false)]
+    [InlineData(1.3, true)]
+    public void Contacts_that_stand_still_do_no_work(double faster, bool moves)
+    {
+        const double H = 1e-3;
+        var random = new Random(12);
+        Vector3d Draw() => new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
+        PileSolver solver = Of(3);
+        for (int i = 0; i < 3; i++)
+        {
+            ref PileMember ball = ref solver.Members[i];
+            ball.StartV = Draw();
+            ball.StartW = 10 * Draw();
+            ball.Free = new MotionRates(10 * Draw(), 20 * Draw());
+            ball.V = faster * (ball.StartV + (H * ball.Free.Acceleration));
+            ball.W = faster * (ball.StartW + (H * ball.Free.SpinAcceleration));
+            solver.Add(Ground(i) with { Velocity = moves && i == 1 ? new Vector3d(1, 0, 0) : default });
+        }
+
+        PileMember[] before = [.. solver.Members];
+        double worked = Work();
+        Assert.Equal(faster > 1, worked > 0);
+        solver.LimitWork(H);
+        bool limits = faster > 1 && !moves;
+        Assert.Equal(limits ? 0 : worked, Work(), 1e-12);
+        double share = limits ? 1 / faster : 1;
+        for (int i = 0; i < 3; i++)
+        {
+            Assert.InRange((solver.Members[i].V - (share * before[i].V)).Length, 0, 1e-12);
+            Assert.InRange((solver.Members[i].W - (share * before[i].W)).Length, 0, 1e-11);
+        }
+
+        double Work() => solver.Members.Sum(ball =>
+            (Mass * Vector3d.Dot(ball.V - ball.StartV - (H * ball.Free.Acceleration), ball.V)) + (Inertia * Vector3d.Dot(ball.W - ball.StartW - (H * ball.Free.SpinAcceleration), ball.W)));
     }
 
     private static PileSolver Of(int count)

@@ -53,6 +53,28 @@ public sealed class PileTests
         _ => Heap.Dropped(Heap.Box(0.35) with { Air = new Air { Wind = new Vector3d(6, 0, 2) } }, 10, 0.1, 0.4, 0.3, 7),
     };
 
+    /// <summary>Balls in one and the same place have no line of centres: they go apart, and stay finite and above the ground.</summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Balls_in_one_place_go_apart(int count)
+    {
+        var group = new BallGroup(Scene.Default, [.. Enumerable.Repeat(BallProperties.Tunnel, count)]);
+        double r = BallProperties.Tunnel.Radius;
+        BallState[] states = [.. Enumerable.Range(0, count).Select(i => group.SimulatorOf(i).Launch(new Vector3d(0, r, 0), Vector3d.Zero, Vector3d.Zero))];
+        var log = new StepLog();
+        for (int i = 0; i < 60; i++)
+        {
+            group.Step(states, 0.02, log);
+            Assert.All(states, s => Assert.True(double.IsFinite(s.Position.Length + s.Velocity.Length + s.Spin.Length) && s.Position.Y >= r - 1e-6 && s.Position.Y < 5 * r, $"{s}"));
+        }
+
+        for (int i = 1; i < count; i++)
+        {
+            Assert.InRange(Vector3d.Distance(states[i].Position, states[0].Position), (2 * r) - 1e-6, 20);
+        }
+    }
+
     /// <summary>The balls of the last row keep out of each other and of the walls at every step; in a second each has few evaluations a step.</summary>
     [Fact]
     public void Sixty_balls_in_a_box_cost_few_evaluations()
