@@ -24,6 +24,34 @@ public sealed class EventBufferTests
         Assert.Equal((0, 0L, 0L), (buffer.Count, buffer.Dropped, buffer.Impacts));
     }
 
+    /// <summary>A log that takes in another one has the events and counts of both.</summary>
+    [Fact]
+    public void A_log_takes_in_the_events_and_counts_of_another()
+    {
+        StepLog first = Flown(3);
+        StepLog second = Flown(7);
+        (int events, long steps, long evaluations) = (first.Events.Count, first.Steps, first.Evaluations);
+        Assert.True(events > 0 && second.Events.Count > 0 && second.Evaluations > 0);
+        first.Add(second);
+        Assert.Equal(events + second.Events.Count, first.Events.Count);
+        Assert.Equal(second.Events[0].Time, first.Events[events].Time);
+        Assert.Equal(steps + second.Steps, first.Steps);
+        Assert.Equal(evaluations + second.Evaluations, first.Evaluations);
+
+        static StepLog Flown(double speed)
+        {
+            var simulator = new Simulator(Scene.Default);
+            BallState s = simulator.Launch(new Vector3d(0, 0.3, 0), new Vector3d(speed, 0, 0), Vector3d.Zero);
+            var log = new StepLog();
+            for (int i = 0; i < 50; i++)
+            {
+                simulator.Step(ref s, 0.01, log);
+            }
+
+            return log;
+        }
+    }
+
     [Fact]
     public void It_grows_no_further_than_that()
     {

@@ -1,3 +1,5 @@
+using FootballPhysics.Tests.Support;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball on a carrier that moves, accelerates or turns, against closed forms: F acts at the contact point, so that only a share of the motion is passed on.</summary>
@@ -198,6 +200,7 @@ public sealed class CarrierTests
             Near(turned, state.Position, 1e-6);
             Near(Vector3d.Cross(turn, turned), state.Velocity, 1e-6);
             Near(turn, state.Spin, 1e-6);
+            Assert.InRange(Differences.Rotation(Quaterniond.FromAxisAngle(Vector3d.Up, Spin * state.Time), state.Orientation), 0, 1e-6);
         }
         else
         {

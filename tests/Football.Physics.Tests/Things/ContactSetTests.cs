@@ -25,6 +25,38 @@ public sealed class ContactSetTests
         }
     }
 
+    /// <summary>A ball that rolls on the ground and touches a wall is carried by the ground, whichever of the two a state names.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void The_surface_with_the_only_load_takes_the_ball_over(bool moves)
+    {
+        // A far body that moves leaves no whole steps.
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("far", new SphereShape(default, 0.4));
+        body.MoveTo(new Vector3d(0, 20, 30), new Vector3d(0, 0, 0.1), 0);
+        Scene scene = Vacuum() with { Bodies = moves ? bodies : null, Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(Vector3d.Zero, new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board }] };
+        var simulator = new Simulator(scene, Flight.With(Integrator.Rk4));
+        BallState onGround = simulator.Launch(new Vector3d(Radius, Radius, 0), new Vector3d(0, 0, 2), new Vector3d(2 / Radius, 0, 0));
+        Assert.Equal(MotionState.Rolling, onGround.Motion);
+        BallState onWall = onGround;
+        onWall.Carrier = 1;
+        onWall.Motion = MotionState.Sliding;
+        Assert.Equal("wall", simulator.NameOf(1));
+        var log = new StepLog();
+        for (int i = 0; i < 5; i++)
+        {
+            simulator.Step(ref onGround, 0.01, log);
+            simulator.Step(ref onWall, 0.01, log);
+        }
+
+        Assert.Equal(onGround.Carrier, onWall.Carrier);
+        Assert.Equal(onGround.Motion, onWall.Motion);
+        Assert.InRange(Vector3d.Distance(onGround.Position, onWall.Position), 0, 1e-9);
+        Assert.InRange(Vector3d.Distance(onGround.Velocity, onWall.Velocity), 0, 1e-9);
+        Assert.DoesNotContain(log.Events.Span.ToArray(), e => e.Kind is BallEventKind.Impact or BallEventKind.ContactEnd);
+    }
+
     /// <summary>Down a straight gutter of two planes at ±β, tilted by θ, without slip: g sin θ/(1 + α/cos² β), ω = v/(r cos β).</summary>
     [Theory]
     [InlineData(20, 5)]
