@@ -105,6 +105,26 @@ public sealed class PileSolverTests
         Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Members[0].W.Y, 1e-9);
     }
 
+    /// <summary>Of several surfaces the one with the greatest load resists a roll, in any order of the contacts.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void The_surface_with_the_greatest_load_slows_a_roll(bool wallIsFirst)
+    {
+        const double Pull = 0.01;
+        PileSolver solver = Of(1);
+        solver.Members[0].V = new Vector3d(-0.1 * Pull, -Pull, 1);
+        solver.Members[0].W = new Vector3d(1 / Radius, 0, 0);
+        solver.Members[0].OwnContacts = 2;
+        PileContact wall = Ground(0) with { Normal = new Vector3d(1, 0, 0), Friction = 0, RollingFriction = 0.9 };
+        solver.Add(wallIsFirst ? wall : Ground(0));
+        solver.Add(wallIsFirst ? Ground(0) : wall);
+        solver.Solve(1e-3, 400, 1e-15);
+        Assert.Equal(wallIsFirst ? 1 : 0, solver.BearerOf(0));
+        Assert.Equal(0.07 * Pull, 1 - solver.Members[0].V.Z, 1e-9);
+        Assert.Equal(0.1 * Mass * Pull, solver.Contacts[wallIsFirst ? 0 : 1].Load, 1e-9);
+    }
+
     /// <summary>Surfaces that stand still do no work: what contacts change of the free velocities is at most across the velocities left, Σ m (v − v_free)·v = 0. Those that move may.</summary>
     [Theory]
     [InlineData(1.3, false)]

@@ -178,6 +178,28 @@ public sealed class CarrierTests
         Near(new Vector3d(0, 0.15, 0), state.Velocity, 1e-9);
     }
 
+    /// <summary>A floor that is suddenly faster makes a rolling ball slip, which is reported once, if the slip outlasts the step; a slip that ends within the step is not.</summary>
+    [Theory]
+    [InlineData(1.5, true)]
+    [InlineData(0.01, false)]
+    public void A_jump_of_the_floor_is_reported_as_a_slide_if_it_lasts(double jump, bool lasts)
+    {
+        Scene scene = Still(2.0 / 3);
+        var floor = PosedCollider.In(ref scene, s_slab, s_rough, isEngine: false);
+        floor.MoveTo(default, Quaterniond.Identity, default, default, 0);
+        var simulator = new Simulator(scene);
+        BallState state = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(0, 0, 1), new Vector3d(1 / Radius, 0, 0));
+        Assert.Equal(MotionState.Rolling, state.Motion);
+        var log = new StepLog();
+        simulator.Step(ref state, 0.01, log);
+        Assert.Equal(0, log.Events.Count);
+        floor.MoveTo(default, Quaterniond.Identity, new Vector3d(jump, 0, 0), default, state.Time);
+        simulator.Step(ref state, 0.01, log);
+        Assert.Equal(lasts ? MotionState.Sliding : MotionState.Rolling, state.Motion);
+        Assert.Equal(lasts ? 1 : 0, log.Events.Count);
+        Assert.True(!lasts || log.Events[0].Kind == BallEventKind.Slide);
+    }
+
     /// <summary>Rolling friction holds a ball that turns with the table where Ω² R/(1 + k) ≤ c₀ g.</summary>
     [Theory]
     [InlineData(0.97, true)]
