@@ -36,6 +36,33 @@ public sealed class CarriedStateTests
         }
     }
 
+    /// <summary>A state that stores for how long its way is clear may come from a scene of a smaller ball, or of other obstacles: another scene searches again.</summary>
+    [Theory]
+    [InlineData(0.05, 0.2, 0.4, 0)]
+    [InlineData(0.2, 0.2, 0.4, -0.15)]
+    public void A_way_that_is_clear_in_one_scene_is_searched_in_another(double radius, double larger, double off, double nearer)
+    {
+        Scene SceneOf(double ball, double z) => new()
+        {
+            Air = new Air { Density = 0 },
+            Ground = Ground.None,
+            Gravity = 0,
+            Ball = new BallProperties { Radius = ball },
+            Obstacles = [new Obstacle { Name = "post", Shape = new SphereShape(new Vector3d(1.5, 0, z), 0.3) }],
+        };
+        var first = new Simulator(SceneOf(radius, off));
+        var second = new Simulator(SceneOf(larger, off + nearer));
+        BallState s = first.Launch(Vector3d.Zero, new Vector3d(20, 0, 0), Vector3d.Zero);
+        var log = new StepLog();
+        first.Step(ref s, 0.01, log);
+        for (int i = 0; i < 10; i++)
+        {
+            second.Step(ref s, 0.01, log);
+        }
+
+        Assert.Equal("post", second.NameOf(Assert.Single(log.Events.Span.ToArray()).ColliderIndex));
+    }
+
     /// <summary>A search that has reached the end of the path ends, also with a step of zero; a lengthened step does not skip the end.</summary>
     [Fact]
     public void A_search_along_a_path_ends_at_its_end()

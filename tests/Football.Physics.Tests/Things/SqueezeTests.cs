@@ -13,6 +13,24 @@ public sealed class SqueezeTests
 
     private static readonly IShape s_player = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);
 
+    /// <summary>A squeezed ball that nothing presses any longer keeps its spin: it is stopped only if it neither moves nor spins.</summary>
+    [Fact]
+    public void A_ball_that_spins_on_its_spot_after_a_squeeze_goes_on_spinning()
+    {
+        SurfaceMaterial smooth = SurfaceMaterial.DryTurf with { TorsionalPatchRadius = 0, SpinDamping = 0 };
+        var bodies = new KinematicBodies();
+        bodies.Add("far", s_player).MoveTo(new Vector3d(30, 0, 0), default, 0);
+        var simulator = new Simulator(new Scene { Ball = BallProperties.Tunnel, Air = new Air { Density = 0 }, Ground = Ground.Of(smooth), Bodies = bodies });
+        BallState s = simulator.Launch(new Vector3d(0, Radius, 0), Vector3d.Zero, Vector3d.Zero);
+        s.SetGroundSpin(new Vector3d(0, 20, 0));
+        s.Motion = MotionState.Pinned;
+        var log = new StepLog();
+        simulator.Step(ref s, 0.01, log);
+        Assert.NotEqual(MotionState.Pinned, s.Motion);
+        Assert.InRange((s.Position - new Vector3d(0, Radius, 0)).Length, 0, 1e-9);
+        Assert.Equal(20, s.Spin.Y, 1e-9);
+    }
+
     /// <summary>A player pressed a ball through the boards of a corner: 254 of 400 ended behind one.</summary>
     [Theory]
     [ProfileData]
