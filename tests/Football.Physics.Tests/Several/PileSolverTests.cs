@@ -43,6 +43,34 @@ public sealed class PileSolverTests
         }
     }
 
+    /// <summary>In turn from the top down and from the ground up, a column of twelve needs few rounds.</summary>
+    [Theory]
+    [InlineData(60, 0.01)]
+    [InlineData(120, 1e-5)]
+    public void A_column_needs_few_rounds(int rounds, double left)
+    {
+        const double Pull = 0.00981;
+        PileSolver solver = Of(12);
+        for (int i = 0; i < 12; i++)
+        {
+            solver.Members[i].V = new Vector3d(0, -Pull, 0);
+            solver.Members[i].FirstContact = solver.ContactCount;
+            solver.Members[i].OwnContacts = i == 0 ? 1 : 0;
+            if (i == 0)
+            {
+                solver.Add(Ground(0));
+            }
+
+            if (i < 11)
+            {
+                solver.Add(Between(i, i + 1, new Vector3d(0, -1, 0), 0));
+            }
+        }
+
+        solver.Solve(1e-3, rounds, 1e-15);
+        Assert.InRange(solver.Fastest() / Pull, 0, left);
+    }
+
     /// <summary>Between balls alone nothing comes from nothing: momentum and turning are kept, energy never grows, and none closes by more than its gap.</summary>
     [Theory]
     [InlineData(1)]

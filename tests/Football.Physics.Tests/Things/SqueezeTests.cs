@@ -31,6 +31,29 @@ public sealed class SqueezeTests
         Assert.Equal(20, s.Spin.Y, 1e-9);
     }
 
+    /// <summary>Between two boards that leave too little room there is no place for the ball: a squeezed ball stays where it is, on its side or not, and stops.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.0001)]
+    [InlineData(-0.0002)]
+    public void A_squeezed_ball_in_a_gap_that_is_too_narrow_stays(double aside)
+    {
+        const double Half = Radius - 0.0005;
+        Obstacle[] boards = [.. new[] { -1, 1 }.Select(side => new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(side * (Half + 0.1), 0.5, 0), new Vector3d(0.1, 0.5, 5)), Surface = SurfaceMaterial.Board })];
+        var bodies = new KinematicBodies();
+        bodies.Add("far", s_player).MoveTo(new Vector3d(30, 0, 0), default, 0);
+        var simulator = new Simulator(new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf), Obstacles = boards, Bodies = bodies });
+        BallState s = simulator.Launch(new Vector3d(0, Radius, 0), Vector3d.Zero, Vector3d.Zero);
+        var start = new Vector3d(aside, Radius, 0);
+        s.Position = start;
+        s.Velocity = Vector3d.Zero;
+        s.SetGroundSpin(Vector3d.Zero);
+        s.Motion = MotionState.Pinned;
+        simulator.Step(ref s, 0.01, new StepLog());
+        Assert.InRange((s.Position - start).Length, 0, 1e-9);
+        Assert.InRange(s.Velocity.Length, 0, 1e-9);
+    }
+
     /// <summary>A player pressed a ball through the boards of a corner: 254 of 400 ended behind one.</summary>
     [Theory]
     [ProfileData]
