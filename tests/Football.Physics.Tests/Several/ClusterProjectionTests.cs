@@ -1,4 +1,3 @@
-using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Several;

@@ -1,5 +1,4 @@
 using FootballPhysics.Simulation;
-using FootballPhysics.State;
 
 namespace FootballPhysics.Tests.Several;
 

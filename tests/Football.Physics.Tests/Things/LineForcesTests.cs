@@ -19,10 +19,10 @@ public sealed unsafe class LineForcesTests
     {
         var random = new Random(40);
         double Any(double low, double high) => low + ((high - low) * random.NextDouble());
+        Touched* set = stackalloc Touched[Touched.Most];
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 100; draw++)
         {
-            Touched* set = stackalloc Touched[Touched.Most];
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             Surroundings around = Around(random, 2, set);
             LineForces forces = default;
             Assert.True(forces.Prepare(in set[0], in set[1], around.World.Ball));
@@ -79,10 +79,10 @@ public sealed unsafe class LineForcesTests
     public void A_roll_in_a_gutter_has_the_forces_of_the_general_law()
     {
         var random = new Random(41);
+        Touched* set = stackalloc Touched[Touched.Most];
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 200; draw++)
         {
-            Touched* set = stackalloc Touched[Touched.Most];
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             Surroundings around = Around(random, 2, set);
             LineForces forces = default;
             Assert.True(forces.Prepare(in set[0], in set[1], around.World.Ball));
@@ -116,10 +116,10 @@ public sealed unsafe class LineForcesTests
     {
         var random = new Random(42);
         int tried = 0;
+        Touched* set = stackalloc Touched[Touched.Most];
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 200; draw++)
         {
-            Touched* set = stackalloc Touched[Touched.Most];
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             Surroundings around = Around(random, 3, set);
             LineForces forces = default;
             double about = (60 * random.NextDouble()) - 30;
@@ -161,10 +161,10 @@ public sealed unsafe class LineForcesTests
     {
         var random = new Random(43);
         int determined = 0;
+        Touched* set = stackalloc Touched[Touched.Most];
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 200; draw++)
         {
-            Touched* set = stackalloc Touched[Touched.Most];
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             Surroundings around = Around(random, 2, set, drills: draw % 4 > 0);
             SlideForces forces = default;
             Assert.True(forces.Prepare(in set[0], in set[1], around.World.Ball));

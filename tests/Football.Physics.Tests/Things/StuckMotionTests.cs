@@ -18,11 +18,11 @@ public sealed unsafe class StuckMotionTests
     public void A_motion_fits_the_modes(int count, bool moves)
     {
         var random = new Random(50 + count);
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 100; draw++)
         {
             World world = WorldOf(random, count, moves);
             Vector3d with = world.Colliders[0].Velocity;
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             BallState s = new() { Position = s_place, Velocity = with + Vector(random, 1e-5), SpinAxis = Vector(random, 1e-4) };
             ContactSystem system = SystemOf(world, in s, contacts);
             for (int i = 0; i < count; i++)
@@ -67,11 +67,11 @@ public sealed unsafe class StuckMotionTests
     public void A_ball_that_is_held_moves_with_its_carrier(bool moves)
     {
         var random = new Random(53);
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int draw = 0; draw < 40; draw++)
         {
             World world = WorldOf(random, 1, moves);
             Vector3d surface = world.Colliders[0].Velocity;
-            SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
             BallState s = new() { Position = s_place, Velocity = surface + Vector(random, 1e-8), SpinAxis = Vector(random, 1e-7) };
             ContactSystem system = SystemOf(world, in s, contacts);
             contacts[0].Bears = true;
