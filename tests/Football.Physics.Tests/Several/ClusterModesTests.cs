@@ -14,7 +14,7 @@ public sealed class ClusterModesTests
         var random = new Random((10 * count) + (rolls ? 1 : 0));
         int found = 0;
         int pressed = 0;
-        for (int i = 0; i < 80; i++)
+        for (int i = 0; i < 30; i++)
         {
             var draw = new TouchingBalls(random, count, resists: i % 3 > 0);
             if (draw.Settle(random, rolls) && draw.Find())
@@ -24,7 +24,7 @@ public sealed class ClusterModesTests
             }
         }
 
-        Assert.True(found > 30 && pressed > 20, $"{found} found, {pressed} contacts of balls with load");
+        Assert.True(found > 12 && pressed > 5, $"{found} found, {pressed} contacts of balls with load");
     }
 
     /// <summary>Modes hold where they were found, and no longer if a load, a grip, a slip, a spin or a roll has passed its limit.</summary>
@@ -33,7 +33,7 @@ public sealed class ClusterModesTests
     {
         var random = new Random(77);
         int ends = 0;
-        for (int i = 0; i < 150; i++)
+        for (int i = 0; i < 40; i++)
         {
             var draw = new TouchingBalls(random, 2 + (i % 2), resists: i % 3 > 0);
             if (draw.Settle(random, i % 4 > 0) && draw.Find())
@@ -42,6 +42,6 @@ public sealed class ClusterModesTests
             }
         }
 
-        Assert.True(ends > 300, $"{ends} limits");
+        Assert.True(ends > 60, $"{ends} limits");
     }
 }

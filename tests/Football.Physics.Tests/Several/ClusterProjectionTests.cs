@@ -14,7 +14,7 @@ public sealed class ClusterProjectionTests
     public void Closing_speeds_and_slips_end(bool onGround)
     {
         var random = new Random(81);
-        for (int draw = 0; draw < 60; draw++)
+        for (int draw = 0; draw < 15; draw++)
         {
             ClusterSystem system = SystemOf(random, onGround);
             foreach (bool atEnd in new[] { false, true })
@@ -54,7 +54,7 @@ public sealed class ClusterProjectionTests
     public void Gaps_close_by_the_masses()
     {
         var random = new Random(82);
-        for (int draw = 0; draw < 60; draw++)
+        for (int draw = 0; draw < 15; draw++)
         {
             ClusterSystem system = SystemOf(random, onGround: false);
             for (int i = 0; i < system.Count; i++)
@@ -78,7 +78,7 @@ public sealed class ClusterProjectionTests
     public void Balls_on_the_ground_are_put_onto_it()
     {
         var random = new Random(83);
-        for (int draw = 0; draw < 30; draw++)
+        for (int draw = 0; draw < 10; draw++)
         {
             ClusterSystem system = SystemOf(random, onGround: true);
             for (int i = 0; i < system.Count; i++)
