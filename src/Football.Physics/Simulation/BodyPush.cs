@@ -96,13 +96,10 @@ internal sealed class BodyPush
     /// <summary>True if a stationary object, such as a thin board, blocks the path of a push.</summary>
     private bool IsBarred(in BallState s, in Vector3d from)
     {
-        BallState pushed = s;
-        pushed.Position = from;
-
         // Treat the push as a straight path of nearly zero duration, and search it for a stationary object.
         var path = PathCubic.Line(in from, (s.Position - from) / ContactTolerances.Displacement, ContactTolerances.Displacement);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
-        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met, out _) <= ContactTolerances.Displacement
+        return new ContactSearch(_world, in path, s.Time).FirstContact(in s, carrier, default, out Separation met, out _) <= ContactTolerances.Displacement
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 
