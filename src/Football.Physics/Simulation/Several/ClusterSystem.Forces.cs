@@ -60,7 +60,6 @@ internal sealed partial class ClusterSystem
     private void SetFree(ref ClusterBall ball)
     {
         Vector3d spin = ball.Free.SpinAcceleration;
-        ball.HeldSpin = 0;
         if (ball.Bearer >= 0)
         {
             // ω̇_n = −(c_ω/I) (ω − Ω)·n. If friction holds the spin, d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
