@@ -2,10 +2,10 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>An arrow with a caption in the upper left corner: a direction that holds everywhere, like a wind.</summary>
-/// <param name="x">Direction along the horizontal axis; any length but zero.</param>
-/// <param name="y">Direction along the vertical axis.</param>
-/// <param name="caption">What it is.</param>
+/// <summary>An arrow with a caption in the upper left corner. It shows a direction that is the same everywhere, such as that of a wind.</summary>
+/// <param name="x">The direction along the horizontal axis. The length of the vector must not be zero and does not matter.</param>
+/// <param name="y">The direction along the vertical axis.</param>
+/// <param name="caption">The text next to the arrow.</param>
 public sealed class ArrowItem(double x, double y, string caption) : ChartItem
 {
     private const double Reach = 14;
@@ -24,7 +24,7 @@ public sealed class ArrowItem(double x, double y, string caption) : ChartItem
 
     private XElement Arrow(double middleX, double middleY, double reach)
     {
-        // Pixels run downwards.
+        // Pixels count downwards.
         double length = Math.Sqrt((x * x) + (y * y));
         (double dx, double dy) = (x / length * reach, -y / length * reach);
         (double tipX, double tipY) = (middleX + dx, middleY + dy);

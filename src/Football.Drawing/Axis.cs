@@ -1,16 +1,16 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>What an axis shows: title with unit, scale, and ends where the data shall not decide them.</summary>
+/// <summary>An axis: its title with the unit, its scale, and fixed ends. The data determines the ends that are not fixed.</summary>
 public sealed record Axis(string Title)
 {
     public AxisScale Scale { get; init; } = AxisScale.Linear;
 
-    /// <summary>Where it begins; null leaves it to the data.</summary>
+    /// <summary>The lower end; null to use that of the data.</summary>
     public double? Min { get; init; }
 
-    /// <summary>Where it ends; null leaves it to the data.</summary>
+    /// <summary>The upper end; null to use that of the data.</summary>
     public double? Max { get; init; }
 
-    /// <summary>Room to leave around the data, as a fraction of its range.</summary>
+    /// <summary>The margin on each side of the data, as a fraction of its range; default 0.04.</summary>
     public double Margin { get; init; } = 0.04;
 }

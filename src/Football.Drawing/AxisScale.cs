@@ -1,11 +1,11 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>How an axis maps values to places.</summary>
+/// <summary>How an axis maps values to positions.</summary>
 public enum AxisScale
 {
-    /// <summary>Equal differences take equal room.</summary>
+    /// <summary>Equal differences have equal lengths.</summary>
     Linear,
 
-    /// <summary>Equal ratios take equal room; values that are not above 0 are left out.</summary>
+    /// <summary>Equal ratios have equal lengths. Values that are not above 0 are omitted.</summary>
     Logarithmic,
 }

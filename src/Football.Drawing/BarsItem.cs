@@ -2,9 +2,9 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Bars that stand side by side on a base: a histogram.</summary>
-/// <param name="edges">Edges of the bars along x, one more than there are bars.</param>
-/// <param name="heights">Their heights.</param>
+/// <summary>Adjacent bars on a common base: a histogram.</summary>
+/// <param name="edges">The edges of the bars along x: one more than the number of bars.</param>
+/// <param name="heights">The heights of the bars.</param>
 public sealed class BarsItem(IReadOnlyList<double> edges, IReadOnlyList<double> heights) : ChartItem
 {
     public override Bounds Bounds => heights.Count == 0
@@ -28,7 +28,7 @@ public sealed class BarsItem(IReadOnlyList<double> edges, IReadOnlyList<double> 
 
     public override IEnumerable<XElement> Draw(PlotFrame frame)
     {
-        // On a logarithmic axis bars stand on its lower end.
+        // On a logarithmic axis, bars start at its lower end.
         double bottom = frame.YAxis.Shows(0) ? frame.Y(Math.Max(0, frame.YAxis.Min)) : frame.Height;
         for (int i = 0; i < heights.Count; i++)
         {

@@ -3,7 +3,7 @@ namespace FootballPhysics.Drawing;
 /// <summary>The range of values along both axes.</summary>
 public readonly record struct Bounds(double MinX, double MaxX, double MinY, double MaxY)
 {
-    /// <summary>Contains nothing.</summary>
+    /// <summary>Bounds that contain no point.</summary>
     public static Bounds Empty => new(double.PositiveInfinity, double.NegativeInfinity, double.PositiveInfinity, double.NegativeInfinity);
 
     public static Bounds Of(IEnumerable<PlotPoint> points) => points.Aggregate(Empty, static (bounds, point) => bounds.With(point));

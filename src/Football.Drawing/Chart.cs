@@ -2,7 +2,7 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>A chart: axes with units and ticks, what is drawn between them, and a legend.</summary>
+/// <summary>A chart: axes with units and ticks, items, and a legend.</summary>
 public sealed class Chart(Axis x, Axis y)
 {
     private const double Left = 56;
@@ -11,29 +11,32 @@ public sealed class Chart(Axis x, Axis y)
     private const double Bottom = 40;
     private const double Row = 16;
 
-    /// <summary>With another chart that has its axis along in common: ends of that axis, and what a pixel is worth.</summary>
+    /// <summary>
+    /// The common horizontal range and scale of charts drawn by <see cref="SameScale"/>; null for a single chart. The unit is in axis units per
+    /// pixel.
+    /// </summary>
     private (double Min, double Max, double Unit)? _shared;
 
     public string Title { get; init; } = "";
 
-    /// <summary>Width of the whole, in pixels.</summary>
+    /// <summary>The width of the whole chart, in pixels.</summary>
     public double Width { get; init; } = 640;
 
-    /// <summary>Height of the plot, in pixels; with <see cref="EqualScales"/> the least.</summary>
+    /// <summary>The height of the plot, in pixels. With <see cref="EqualScales"/>, the minimum height.</summary>
     public double PlotHeight { get; init; } = 300;
 
-    /// <summary>With <see cref="EqualScales"/>: the greatest height of the plot, in pixels.</summary>
+    /// <summary>The maximum height of the plot with <see cref="EqualScales"/>, in pixels.</summary>
     public double MaximumPlotHeight { get; init; } = 320;
 
-    /// <summary>Whether a unit is as long along one axis as along the other. The axes are then made longer, never the data distorted.</summary>
+    /// <summary>True if a unit has the same length along both axes. The axes are then extended; the data is never distorted.</summary>
     public bool EqualScales { get; init; }
 
     public string Background { get; init; } = Palette.Paper;
 
-    /// <summary>What to draw, the first at the back.</summary>
+    /// <summary>The items to draw, from back to front.</summary>
     public List<ChartItem> Items { get; } = [];
 
-    /// <summary>Makes charts of equal scales alike: the same axis along, and a unit as long in one as in the other.</summary>
+    /// <summary>Gives charts with equal scales the same horizontal range and the same scale.</summary>
     public static void SameScale(params IReadOnlyList<Chart> charts)
     {
         Bounds[] data = [.. charts.Select(chart => chart.Data)];
@@ -51,7 +54,6 @@ public sealed class Chart(Axis x, Axis y)
         }
     }
 
-    /// <summary>The chart as an SVG element.</summary>
     public XElement Draw()
     {
         PlotFrame frame = Fit();
@@ -116,7 +118,7 @@ public sealed class Chart(Axis x, Axis y)
 
     private double PlotWidth => Width - Left - Right;
 
-    /// <summary>What a pixel is worth with equal scales.</summary>
+    /// <summary>Axis units per pixel, with equal scales.</summary>
     private double Unit
     {
         get
@@ -158,7 +160,7 @@ public sealed class Chart(Axis x, Axis y)
         return [.. Items.SelectMany(item => item.Labels(frame)).Select(layout.Place)];
     }
 
-    /// <summary>Makes an axis longer; an end that was asked for stays where it is.</summary>
+    /// <summary>Extends an axis to a range; an end that <see cref="Axis"/> fixes does not move.</summary>
     private static PlotAxis Widen(PlotAxis axis, double range)
     {
         double more = range - (axis.Max - axis.Min);
@@ -166,7 +168,7 @@ public sealed class Chart(Axis x, Axis y)
         return axis.Between(axis.Min - below, axis.Max + (more - below));
     }
 
-    /// <summary>Entries from the right end of the title's row to the left of it, in further rows where they need them.</summary>
+    /// <summary>Draws the legend: right-aligned in the row of the title, and in further rows if it does not fit there.</summary>
     private List<XElement> Legend(PlotFrame frame, string[] title, out double height)
     {
         List<ChartItem> entries = [.. Items.Where(item => item.Label is not null && item.IsSeen(frame)).DistinctBy(item => item.Label)];

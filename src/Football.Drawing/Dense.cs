@@ -1,12 +1,12 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>Places along lines, close enough to each other that no letter fits between them.</summary>
+/// <summary>Computes points along lines that are so close together that no letter fits between them.</summary>
 public static class Dense
 {
     private const double Step = 3;
     private const double MostSteps = 400;
 
-    /// <summary>Places on the lines that join places, in pixels.</summary>
+    /// <summary>Returns points on the polyline through the given corners, in pixels.</summary>
     public static IEnumerable<(double X, double Y)> Line(IReadOnlyList<(double X, double Y)> corners)
     {
         for (int i = 0; i + 1 < corners.Count; i++)

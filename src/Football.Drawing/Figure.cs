@@ -2,13 +2,13 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Charts one above the other in one drawing.</summary>
+/// <summary>Combines drawings into one.</summary>
 public static class Figure
 {
-    /// <summary>Width over height of a screen.</summary>
+    /// <summary>The ratio of width to height of a screen.</summary>
     private const double Screen = 1.6;
 
-    /// <summary>Sets drawings of one size in rows, as many in each as make the whole look like a screen.</summary>
+    /// <summary>Arranges drawings of one size in rows, so that the result has about the proportions of a screen.</summary>
     public static XElement Tile(string title, params IReadOnlyList<XElement> drawings)
     {
         double width = drawings.Max(drawing => (double)drawing.Attribute("width")!);
@@ -19,7 +19,7 @@ public static class Figure
         return Stack(title, rows);
     }
 
-    /// <summary>Stacks drawings; a title above all of them can be left empty.</summary>
+    /// <summary>Stacks drawings vertically below a title. An empty title takes almost no space.</summary>
     public static XElement Stack(string title, params IReadOnlyList<XElement> drawings)
     {
         double at = title.Length > 0 ? 30 : 4;

@@ -2,18 +2,18 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Puts labels where nothing else is drawn, as near to their places as it goes.</summary>
+/// <summary>Places labels where nothing else is drawn, as close to their points as possible.</summary>
 /// <param name="width">Width of the plot, in pixels.</param>
 /// <param name="height">Height of the plot, in pixels.</param>
-/// <param name="background">What is behind the labels; a rim of it keeps them legible where they are on something after all.</param>
+/// <param name="background">The colour behind the labels. A rim in this colour keeps a label legible if it covers something.</param>
 public sealed class LabelLayout(double width, double height, string background)
 {
     private const double Size = 11;
 
-    /// <summary>What a label costs that is on another one, in dots of what is drawn: more than any drawing has under it.</summary>
+    /// <summary>The cost of overlapping another label, in drawn points. It exceeds the number of points under any label.</summary>
     private const int OnAnother = 200;
 
-    /// <summary>How far from a place a label is tried, in rows of its own height.</summary>
+    /// <summary>The offsets from a point at which a label is tried, in multiples of half its width and of its height.</summary>
     private static readonly (double Across, double Down)[] Tries =
     [
         (0, -0.9), (0, 1.2), (0.6, -0.6), (-0.6, -0.6), (0.6, 0.9), (-0.6, 0.9), (0, -2), (0, 2.3), (1, -1.6), (-1, -1.6), (1, 2), (-1, 2), (0, -3.2), (0, 3.4),
@@ -23,10 +23,10 @@ public sealed class LabelLayout(double width, double height, string background)
     private readonly List<(double X, double Y)> _ink = [];
     private readonly List<(double Left, double Top, double Right, double Bottom)> _taken = [];
 
-    /// <summary>Says that there is something at a place.</summary>
+    /// <summary>Registers points that labels should not cover.</summary>
     public void Draw(IEnumerable<(double X, double Y)> places) => _ink.AddRange(places);
 
-    /// <summary>Places a label.</summary>
+    /// <summary>Places a label, and returns its text element.</summary>
     public XElement Place(ChartLabel label)
     {
         double half = Svg.WidthOf(label.Text, Size) / 2;
@@ -50,7 +50,7 @@ public sealed class LabelLayout(double width, double height, string background)
         return text;
     }
 
-    /// <summary>How much of what is drawn a box would cover.</summary>
+    /// <summary>Returns the cost of a box: the number of drawn points that it covers, plus <see cref="OnAnother"/> for each label.</summary>
     private double Cost((double Left, double Top, double Right, double Bottom) box)
     {
         const double around = 2;

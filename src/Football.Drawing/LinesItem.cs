@@ -3,18 +3,18 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Lines that belong together: the meshes of a net, the markings of a pitch, posts and bar.</summary>
+/// <summary>Lines that form one object: the meshes of a net, the markings of a pitch, the frame of a goal.</summary>
 public sealed class LinesItem(IReadOnlyList<PlotPoint[]> lines) : ChartItem
 {
     public double Width { get; init; } = 1;
 
-    /// <summary>Width in units of the axes where that is more; 0 for none.</summary>
+    /// <summary>The width in axis units, used if it exceeds the minimum width in pixels; 0 for the minimum width.</summary>
     public double Thickness { get; init; }
 
-    /// <summary>What they are; written beside the topmost of them.</summary>
+    /// <summary>The name, written next to the topmost line; empty for none.</summary>
     public string Caption { get; init; } = "";
 
-    /// <summary>Whether the chart is to make room for all of them; otherwise what does not fit is cut off.</summary>
+    /// <summary>True if the chart must show all of the lines; otherwise it clips lines that do not fit. Default true.</summary>
     public bool NeedsRoom { get; init; } = true;
 
     public override Bounds Bounds => NeedsRoom ? Bounds.Of([.. lines.SelectMany(line => line)]) : Bounds.Empty;

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>The colours of all drawings; the series can be told apart by the colour-blind too.</summary>
+/// <summary>The colours of all drawings. Colour-blind readers can distinguish the series too.</summary>
 public static class Palette
 {
     public const string Ink = "#1f2933";
@@ -17,13 +17,13 @@ public static class Palette
 
     public const string Paper = "#ffffff";
 
-    /// <summary>Lines on the grass.</summary>
+    /// <summary>Markings on the grass.</summary>
     public const string Marking = "#b5cbaa";
 
-    /// <summary>Posts and bar.</summary>
+    /// <summary>The frame of a goal.</summary>
     public const string Posts = "#3e4c59";
 
-    /// <summary>What each colour becomes where dark drawings are preferred.</summary>
+    /// <summary>The replacement of each colour in dark mode.</summary>
     public static IReadOnlyList<(string Light, string Dark)> Dark { get; } =
     [
         (Paper, "#171d23"), (Ink, "#e4e7eb"), (Faint, "#a3b0bd"), (Grid, "#2b3640"), (Frame, "#5b6773"), (Blue, "#56b4e9"), (Orange, "#f2a33a"),

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>An axis with its ends decided: maps values to a fraction of its length.</summary>
+/// <summary>An axis with both ends: maps values to fractions of its length.</summary>
 public sealed class PlotAxis
 {
     private readonly bool _logarithmic;
@@ -23,7 +23,7 @@ public sealed class PlotAxis
 
     public double Max { get; }
 
-    /// <summary>Decides the ends that the axis leaves to the data.</summary>
+    /// <summary>Creates an axis; the data determines the ends that are not fixed.</summary>
     public static PlotAxis Fit(Axis axis, double dataMin, double dataMax)
     {
         double min = axis.Min ?? dataMin;
@@ -42,16 +42,16 @@ public sealed class PlotAxis
         return new PlotAxis(axis, axis.Min ?? (min - room), axis.Max ?? (max + room));
     }
 
-    /// <summary>The same axis with other ends.</summary>
+    /// <summary>Returns the same axis with other ends.</summary>
     public PlotAxis Between(double min, double max) => new(Axis, min, max);
 
-    /// <summary>Whether the axis has a place for the value.</summary>
+    /// <summary>True if the axis can show the value: it is finite and, on a logarithmic axis, above 0.</summary>
     public bool Shows(double value) => double.IsFinite(value) && (!_logarithmic || value > 0);
 
-    /// <summary>0 at the beginning, 1 at the end.</summary>
+    /// <summary>Returns the position of a value: 0 at the lower end, 1 at the upper end.</summary>
     public double Fraction(double value) => (Place(value) - _from) / (_to - _from);
 
-    /// <summary>Round values to mark, about as many as asked for.</summary>
+    /// <summary>Returns round values to mark, about as many as requested.</summary>
     public List<double> Ticks(double about) => _logarithmic ? Drawing.Ticks.Logarithmic(Min, Max, about) : Drawing.Ticks.Linear(Min, Max, about);
 
     private double Place(double value) => _logarithmic ? Math.Log10(value) : value;

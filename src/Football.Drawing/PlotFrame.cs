@@ -1,6 +1,6 @@
 namespace FootballPhysics.Drawing;
 
-/// <summary>Where on the page a chart's values lie; its origin is the upper left corner of the plot.</summary>
+/// <summary>Maps the values of a chart to pixels. The origin is the upper left corner of the plot.</summary>
 public sealed class PlotFrame(PlotAxis x, PlotAxis y, double width, double height)
 {
     public PlotAxis XAxis { get; } = x;
@@ -15,6 +15,6 @@ public sealed class PlotFrame(PlotAxis x, PlotAxis y, double width, double heigh
 
     public double Y(double value) => (1 - YAxis.Fraction(value)) * Height;
 
-    /// <summary>Whether both axes have a place for the point.</summary>
+    /// <summary>True if both axes can show the point.</summary>
     public bool Shows(PlotPoint point) => XAxis.Shows(point.X) && YAxis.Shows(point.Y);
 }

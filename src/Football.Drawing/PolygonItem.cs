@@ -2,13 +2,13 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>An area: what a thing looks like from where the chart looks.</summary>
-/// <param name="faces">Polygons that cover it.</param>
+/// <summary>An area: the outline of an object as the chart shows it.</summary>
+/// <param name="faces">The polygons that cover the area.</param>
 public sealed class PolygonItem(IReadOnlyList<PlotPoint[]> faces) : ChartItem
 {
     public string Fill { get; init; } = Palette.Object;
 
-    /// <summary>What it is; written beside it.</summary>
+    /// <summary>The name, written next to the area; empty for none.</summary>
     public string Caption { get; init; } = "";
 
     public override Bounds Bounds => Bounds.Of([.. faces.SelectMany(face => face)]);

@@ -6,12 +6,12 @@ namespace FootballPhysics.Drawing;
 /// <summary>Points joined by lines.</summary>
 public sealed class PolylineItem(IReadOnlyList<PlotPoint> points) : ChartItem
 {
-    /// <summary>Points nearer than this to the one before, in pixels, are left out.</summary>
+    /// <summary>Points that are closer than this to the point before are omitted, in pixels.</summary>
     private const double Nearest = 0.4;
 
     public double Width { get; init; } = 1.6;
 
-    /// <summary>Lengths of dashes and gaps, or "none".</summary>
+    /// <summary>The lengths of dashes and gaps, or "none". Default "none".</summary>
     public string Dash { get; init; } = "none";
 
     public override Bounds Bounds => Bounds.Of(points);
@@ -46,7 +46,7 @@ public sealed class PolylineItem(IReadOnlyList<PlotPoint> points) : ChartItem
     public override IEnumerable<(double X, double Y)> Ink(PlotFrame frame) =>
         Dense.Line([.. points.Where(frame.Shows).Select(point => (frame.X(point.X), frame.Y(point.Y)))]);
 
-    /// <summary>A line of less than two pixels is none.</summary>
+    /// <summary>True if the visible part extends over at least two pixels along an axis.</summary>
     public override bool IsSeen(PlotFrame frame)
     {
         (double X, double Y)[] inside = [.. Ink(frame).Where(place => IsInside(frame, place))];

@@ -7,10 +7,10 @@ public sealed class ScatterItem(IReadOnlyList<PlotPoint> points) : ChartItem
 {
     public Mark Mark { get; init; } = Mark.Dot;
 
-    /// <summary>Half the width of a mark, in pixels.</summary>
+    /// <summary>Half the width of a mark, in pixels; default 3.5.</summary>
     public double Size { get; init; } = 3.5;
 
-    /// <summary>A word for each point; empty for none.</summary>
+    /// <summary>The text of each point; an empty text or list for none.</summary>
     public IReadOnlyList<string> Captions { get; init; } = [];
 
     public override Bounds Bounds => Bounds.Of(points);

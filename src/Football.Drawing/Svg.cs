@@ -4,15 +4,15 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Makes SVG elements.</summary>
+/// <summary>Creates SVG elements.</summary>
 public static class Svg
 {
-    /// <summary>Pixels that a letter of the drawings' font takes on average, per pixel of its size.</summary>
+    /// <summary>The average width of a letter in the drawings' font, as a fraction of the font size.</summary>
     private const double LetterWidth = 0.56;
 
     private static readonly XNamespace Namespace = "http://www.w3.org/2000/svg";
 
-    /// <summary>An element with attributes given as name and value, and with children.</summary>
+    /// <summary>Creates an element from attributes, given as name and value, and children.</summary>
     public static XElement Element(string name, (string Name, object Value)[] attributes, params object?[] content)
     {
         var element = new XElement(Namespace + name);
@@ -29,15 +29,15 @@ public static class Svg
         return element;
     }
 
-    /// <summary>The style of a page that turns the drawings inside an element dark if the reader prefers that.</summary>
-    /// <param name="scope">The selector of the element.</param>
+    /// <summary>Returns the style of a page that shows the drawings inside an element in dark mode if the reader prefers dark mode.</summary>
+    /// <param name="scope">The CSS selector of the element.</param>
     /// <param name="dark">The dark colour for each light one.</param>
     public static string DarkStyle(string scope, IEnumerable<(string Light, string Dark)> dark) => StyleOf(dark, scope + " ");
 
-    /// <summary>A drawing that stands for itself: with a title for those who do not see it, and dark where that is preferred.</summary>
+    /// <summary>Creates a stand-alone drawing, with a title for screen readers and with dark mode.</summary>
     public static XElement Standing(string title, XElement drawing) => Standing(title, drawing, Palette.Dark);
 
-    /// <summary>The same with dark colours of its own.</summary>
+    /// <summary>Creates a stand-alone drawing with its own colours for dark mode.</summary>
     public static XElement Standing(string title, XElement drawing, IEnumerable<(string Light, string Dark)> dark)
     {
         drawing.SetAttributeValue("role", "img");
@@ -46,7 +46,7 @@ public static class Svg
         return drawing;
     }
 
-    /// <summary>The outermost element of a drawing, or of a part of one.</summary>
+    /// <summary>Creates the root element of a drawing, or of a part of a drawing.</summary>
     public static XElement Root(double width, double height, params object?[] content) => Element(
         "svg",
         [
@@ -63,10 +63,10 @@ public static class Svg
         [("x", x), ("y", y), ("text-anchor", anchor), ("font-size", size), ("fill", colour ?? Palette.Ink), ("font-weight", bold ? "600" : "400")],
         text);
 
-    /// <summary>About how wide a text is.</summary>
+    /// <summary>Returns the approximate width of a text, in pixels.</summary>
     public static double WidthOf(string text, double size = 11) => text.Length * size * LetterWidth;
 
-    /// <summary>A text in lines that are not wider than a width; at least one.</summary>
+    /// <summary>Splits a text into lines of at most the given width, in pixels; returns at least one line.</summary>
     public static IEnumerable<string> Lines(string text, double width, double size)
     {
         string line = "";
@@ -87,7 +87,7 @@ public static class Svg
 
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>The text with U+FFFD in place of the control characters that XML does not allow.</summary>
+    /// <summary>Replaces the control characters that XML does not allow by U+FFFD.</summary>
     private static string Plain(string text) =>
         string.Create(text.Length, text, (plain, from) =>
         {
@@ -97,7 +97,7 @@ public static class Svg
             }
         });
 
-    /// <summary>Selects each colour by its value, so that programs without style sheets show the light drawing.</summary>
+    /// <summary>Returns a style that selects each colour by its value. Programs without style sheets then show the light drawing.</summary>
     private static string StyleOf(IEnumerable<(string Light, string Dark)> colours, string scope = "") => "@media (prefers-color-scheme: dark) { "
         + string.Concat(colours.Select(pair => $"{scope}[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} {scope}[stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
 }

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace FootballPhysics.Drawing;
 
-/// <summary>Round values along an axis.</summary>
+/// <summary>Computes round values along an axis.</summary>
 public static class Ticks
 {
-    /// <summary>Multiples of 1, 2 or 5 times a power of ten, about as many as asked for.</summary>
+    /// <summary>Returns multiples of 1, 2 or 5 times a power of ten, about as many as requested.</summary>
     public static List<double> Linear(double min, double max, double about)
     {
         double rough = (max - min) / Math.Max(1, about);
@@ -28,7 +28,7 @@ public static class Ticks
         return ticks;
     }
 
-    /// <summary>Powers of ten, at most about as many as asked for; 1, 2 and 5 times them where the range is short.</summary>
+    /// <summary>Returns powers of ten, at most about as many as requested. In a range of at most two decades, it adds 2 and 5 times the powers.</summary>
     public static List<double> Logarithmic(double min, double max, double about)
     {
         int first = (int)Math.Floor(Math.Log10(min));
@@ -51,7 +51,7 @@ public static class Ticks
         return ticks;
     }
 
-    /// <summary>The value as short as it can be said.</summary>
+    /// <summary>Formats a value as briefly as possible.</summary>
     public static string Label(double value)
     {
         double size = Math.Abs(value);
