@@ -2,11 +2,11 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads what a kick is to do: the member "aim" of a scenario.</summary>
+/// <summary>Reads the request for a kick: the member "aim" of a scenario.</summary>
 public static class AimInput
 {
-    /// <summary>The request. The library checks its numbers during the search.</summary>
-    /// <param name="aim">The input.</param>
+    /// <summary>Reads the request. The library checks its numbers during the search.</summary>
+    /// <param name="aim">The object "aim".</param>
     public static AimRequest Request(InputObject aim)
     {
         var request = new AimRequest();

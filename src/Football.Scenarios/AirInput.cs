@@ -3,13 +3,13 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads the air of a scenario: its density and viscosity, or the weather that they follow from; steady wind, or wind by height.</summary>
+/// <summary>Reads the air of a scenario: density and viscosity, or the weather that determines them; a steady wind, or a wind profile over height.</summary>
 public static class AirInput
 {
-    /// <summary>The air.</summary>
-    /// <param name="air">The input.</param>
-    /// <param name="defaults">Values of the members that are not given.</param>
-    /// <param name="groundHeight">Height of the ground, m.</param>
+    /// <summary>Reads the air.</summary>
+    /// <param name="air">The object "air".</param>
+    /// <param name="defaults">The values of members that are not given.</param>
+    /// <param name="groundHeight">The height of the ground, in m.</param>
     public static Air Air(InputObject air, Air defaults, double groundHeight)
     {
         bool byHeight = air.IsObject("wind");

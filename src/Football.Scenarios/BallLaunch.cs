@@ -4,15 +4,15 @@ namespace FootballPhysics.Scenarios;
 
 /// <summary>One of several balls, and its launch.</summary>
 /// <param name="Ball">The ball.</param>
-/// <param name="Position">The position of the ball at the start, m.</param>
-/// <param name="Velocity">Velocity, m/s.</param>
-/// <param name="Spin">Spin, rad/s.</param>
-/// <param name="Orientation">How it is turned.</param>
+/// <param name="Position">The position at the start, in m.</param>
+/// <param name="Velocity">The velocity, in m/s.</param>
+/// <param name="Spin">The spin, in rad/s.</param>
+/// <param name="Orientation">The orientation.</param>
 public sealed record BallLaunch(BallProperties Ball, Vector3d Position, Vector3d Velocity, Vector3d Spin, Quaterniond Orientation)
 {
-    /// <summary>All that an input has.</summary>
-    /// <param name="root">The input.</param>
-    /// <param name="common">The ball of those that say nothing of theirs.</param>
+    /// <summary>Reads the launches of all balls.</summary>
+    /// <param name="root">The scenario.</param>
+    /// <param name="common">The ball of launches that do not give one.</param>
     public static IReadOnlyList<BallLaunch> All(InputObject root, BallProperties common)
     {
         Profile profile = root.Choice("profile", Profile.Measured);

@@ -2,7 +2,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads what a fit of a track estimates, and what is known before.</summary>
+/// <summary>Reads the request for a fit: the parameters to estimate, and their priors.</summary>
 public static class FitInput
 {
     /// <summary>The names of the quantities that a match fit can estimate for the whole track.</summary>
@@ -10,8 +10,8 @@ public static class FitInput
 
     private static readonly string[] s_also = ["drag", "lift", "restitution", "friction"];
 
-    /// <summary>The request for the fit of one flight: the member "fit" of a scenario. The library checks the numbers.</summary>
-    /// <param name="fit">The input.</param>
+    /// <summary>Reads the request for the fit of one flight: the member "fit" of a scenario. The library checks the numbers.</summary>
+    /// <param name="fit">The object "fit".</param>
     public static TrackFitRequest Track(InputObject fit)
     {
         var defaults = new TrackFitRequest();
@@ -31,8 +31,8 @@ public static class FitInput
         };
     }
 
-    /// <summary>The request for the fit of a match. The library checks the numbers.</summary>
-    /// <param name="fit">The input.</param>
+    /// <summary>Reads the request for the fit of a match. The library checks the numbers.</summary>
+    /// <param name="fit">The object "fit".</param>
     public static MatchFitRequest Match(InputObject fit)
     {
         string[]? free = fit.Texts("free");
@@ -47,8 +47,8 @@ public static class FitInput
         };
     }
 
-    /// <summary>The request that estimates the quantities of these names, and no others.</summary>
-    /// <param name="free">Some of <see cref="Free"/>.</param>
+    /// <summary>Creates a request that estimates only the given quantities.</summary>
+    /// <param name="free">Names from <see cref="Free"/>.</param>
     public static MatchFitRequest Match(string[] free) => new()
     {
         Wind = free.Contains("wind"),

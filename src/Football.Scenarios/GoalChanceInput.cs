@@ -2,11 +2,11 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads a shot and the spread of the player's kicks, for its chance to score.</summary>
+/// <summary>Reads a shot and the scatter of the player's kicks, for the probability of a goal.</summary>
 public static class GoalChanceInput
 {
-    /// <summary>The request. The library checks the numbers during the search.</summary>
-    /// <param name="shot">The input.</param>
+    /// <summary>Reads the request. The library checks the numbers during the search.</summary>
+    /// <param name="shot">The object that describes the shot.</param>
     /// <param name="goals">The goals of the scene; the member "goal" is the index of one of them.</param>
     /// <exception cref="RefusedException">The scene has no such goal.</exception>
     public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals)

@@ -3,11 +3,11 @@ using FootballPhysics.Scenarios.Input;
 namespace FootballPhysics.Scenarios;
 
 /// <summary>A kick given by speed, angles and spin.</summary>
-/// <param name="Speed">m/s.</param>
-/// <param name="Elevation">Degrees above the horizontal.</param>
-/// <param name="Azimuth">Degrees from −z, counter-clockwise seen from above: to the left.</param>
-/// <param name="TopSpin">rad/s; negative is backspin.</param>
-/// <param name="SideSpin">rad/s; positive is counter-clockwise seen from above.</param>
+/// <param name="Speed">The speed, in m/s.</param>
+/// <param name="Elevation">The elevation above the horizontal, in degrees.</param>
+/// <param name="Azimuth">The azimuth in degrees, counter-clockwise from −z seen from above: to the left.</param>
+/// <param name="TopSpin">The topspin, in rad/s; negative for backspin.</param>
+/// <param name="SideSpin">The sidespin, in rad/s; positive for counter-clockwise seen from above.</param>
 public readonly record struct KickNumbers(double Speed, double Elevation, double Azimuth, double TopSpin, double SideSpin)
 {
     private const double Degree = Math.PI / 180.0;
@@ -18,13 +18,13 @@ public readonly record struct KickNumbers(double Speed, double Elevation, double
 
     public static NumberRange Azimuths { get; } = new(-360, 360, "degrees");
 
-    /// <summary>Topspin and sidespin together must not be above the library's limit.</summary>
+    /// <summary>The range of topspin and of sidespin. Together they do not exceed the library's limit.</summary>
     public static NumberRange Spins { get; } = new(-Limits.Spin / 2, Limits.Spin / 2, "rad/s");
 
-    /// <summary>The numbers in a sentence.</summary>
+    /// <summary>Describes the kick in words.</summary>
     public string Text => string.Join(", ", Parts());
 
-    /// <summary>The line of C# that kicks a ball so.</summary>
+    /// <summary>A line of C# that makes the kick.</summary>
     public string Code
     {
         get
@@ -36,11 +36,11 @@ public readonly record struct KickNumbers(double Speed, double Elevation, double
         }
     }
 
-    /// <summary>The command that plays it from the ground.</summary>
+    /// <summary>The command that plays the kick from the ground.</summary>
     public string Command => FormattableString.Invariant(
         $"football kick --speed {Speed:0.###} --elevation {Elevation:0.###} --azimuth {Azimuth:0.###} --top-spin {TopSpin:0.###} --side-spin {SideSpin:0.###}");
 
-    /// <summary>The kick of a launch; a part of the spin about the direction of the kick itself is left out.</summary>
+    /// <summary>Returns the kick of a launch, without the component of the spin along the direction of the kick.</summary>
     public static KickNumbers Of(Scenario scenario)
     {
         Vector3d flat = scenario.Velocity.Horizontal;
@@ -54,7 +54,7 @@ public readonly record struct KickNumbers(double Speed, double Elevation, double
             scenario.Spin.Y);
     }
 
-    /// <summary>Velocity and spin.</summary>
+    /// <summary>Computes the velocity, in m/s, and the spin, in rad/s.</summary>
     public void Vectors(out Vector3d velocity, out Vector3d spin) =>
         KickVectors.FromAngles(Speed, Elevation, Azimuth, TopSpin, SideSpin, out velocity, out spin);
 

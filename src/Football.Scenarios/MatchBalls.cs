@@ -3,11 +3,11 @@ using FootballPhysics.Scenarios.Input;
 namespace FootballPhysics.Scenarios;
 
 /// <summary>The balls of a match, and the material of contacts between them.</summary>
-/// <param name="Kinds">One ball each; empty if all are the ball of the scene.</param>
+/// <param name="Kinds">The balls; empty if all are the ball of the scene.</param>
 /// <param name="Contact">The material.</param>
 public sealed record MatchBalls(IReadOnlyList<BallProperties> Kinds, SurfaceMaterial Contact)
 {
-    /// <summary>Reads the members balls, whose items have a ball, and ballContact.</summary>
+    /// <summary>Reads the members "balls", whose items have a ball, and "ballContact".</summary>
     /// <param name="root">The input.</param>
     /// <param name="common">The ball of items without one.</param>
     public static MatchBalls Of(InputObject root, BallProperties common)
@@ -34,7 +34,7 @@ public sealed record MatchBalls(IReadOnlyList<BallProperties> Kinds, SurfaceMate
     /// <param name="scene">The scene of the balls.</param>
     /// <param name="settings">The solver.</param>
     /// <param name="count">The number of balls.</param>
-    /// <exception cref="RefusedException">There are balls of another number.</exception>
+    /// <exception cref="RefusedException">The number of balls differs from the given number.</exception>
     public BallGroup Group(Scene scene, SolverSettings settings, int count)
     {
         if (Kinds.Count > 0 && Kinds.Count != count)

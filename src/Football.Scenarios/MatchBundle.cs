@@ -6,28 +6,28 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>A match as it comes with an issue: what <see cref="Recording.ToBundle"/> wrote.</summary>
+/// <summary>A recorded match in a zip file, as <see cref="Recording.ToBundle"/> writes it for an issue.</summary>
 public sealed class MatchBundle
 {
-    /// <summary>A bundle has so many bytes at most, ...</summary>
+    /// <summary>The maximum size of a bundle, in bytes.</summary>
     public const int LargestFile = 1 << 26;
 
-    /// <summary>... its text unpacks to so many: a scene with a fine ground takes some megabytes, ...</summary>
+    /// <summary>The maximum size of the unpacked text, in bytes. A scene with a fine ground takes some megabytes.</summary>
     private const int LargestAbout = 1 << 23;
 
-    /// <summary>... its match to so many: hours of one ball, or of players who are moved in every tick, ...</summary>
+    /// <summary>The maximum size of the unpacked match, in bytes: hours of one ball, or of players who move in every tick.</summary>
     private const int LargestSegment = 1 << 26;
 
-    /// <summary>... and it has so many files: other ones may lie beside.</summary>
+    /// <summary>The maximum number of files in a bundle. It may contain other files than the two of a match.</summary>
     private const int MostEntries = 64;
 
-    /// <summary>The list of these files has so many bytes.</summary>
+    /// <summary>The maximum size of the list of these files, in bytes.</summary>
     private const int LongestDirectory = 1 << 16;
 
-    /// <summary>Length of the last record of a zip file without its comment.</summary>
+    /// <summary>The size of the last record of a zip file without its comment, in bytes.</summary>
     private const int EndRecord = 22;
 
-    /// <summary>The maximum length of the texts that describe it, in characters.</summary>
+    /// <summary>The maximum length of a text that describes the origin, in characters.</summary>
     private const int LongestText = 200;
 
     private readonly JsonElement _about;
@@ -37,25 +37,25 @@ public sealed class MatchBundle
         _about = about;
         Segment = segment;
         InputObject root = new InputFields(about).Root;
-        Library = Said(root, "library");
-        Runtime = Said(root, "runtime");
-        System = Said(root, "system");
+        Library = OriginText(root, "library");
+        Runtime = OriginText(root, "runtime");
+        System = OriginText(root, "system");
     }
 
-    /// <summary>The version of the library that recorded it.</summary>
+    /// <summary>The version of the library that recorded the match.</summary>
     public string Library { get; }
 
-    /// <summary>The runtime that it ran on.</summary>
+    /// <summary>The runtime during the recording.</summary>
     public string Runtime { get; }
 
-    /// <summary>The operating system, and the processor's architecture.</summary>
+    /// <summary>The operating system and the processor architecture during the recording.</summary>
     public string System { get; }
 
-    /// <summary>The match.</summary>
+    /// <summary>The recorded match.</summary>
     public Recording Segment { get; }
 
     /// <summary>Reads a bundle.</summary>
-    /// <param name="file">The zip file; it can seek.</param>
+    /// <param name="file">The zip file; must support seeking.</param>
     /// <exception cref="RefusedException">The file is not a bundle; the message gives the reason.</exception>
     public static MatchBundle Read(Stream file)
     {
@@ -94,7 +94,7 @@ public sealed class MatchBundle
         }
     }
 
-    /// <summary>The scene of the match, with bodies of its own: one for each replay.</summary>
+    /// <summary>Creates the scene of the match with its own bodies. Create one for each replay.</summary>
     /// <exception cref="RefusedException">The scene is invalid or differs from the recorded one, or no ball of the scene can have the recorded states; the message names the field.</exception>
     public Simulator NewSimulator()
     {
@@ -113,9 +113,9 @@ public sealed class MatchBundle
             fields.Check();
             simulator = new Simulator(scene, settings);
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields, "scene") is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields, "scene") is { } translated)
         {
-            throw said;
+            throw translated;
         }
 
         if (simulator.SceneHash != Segment.SceneHash)
@@ -139,13 +139,13 @@ public sealed class MatchBundle
         return simulator;
     }
 
-    /// <summary>The origin of the bundle according to the file, on one line.</summary>
-    private static string Said(InputObject root, string name) => Quote.Short(root.Text(name, ""), LongestText);
+    /// <summary>Returns a text about the origin of the bundle, on one line.</summary>
+    private static string OriginText(InputObject root, string name) => Quote.Short(root.Text(name, ""), LongestText);
 
-    /// <summary>Rejects a zip file whose list of files is long, before it is read: a list may name a million files in 64 MB.</summary>
+    /// <summary>Rejects a zip file whose list of files is too long before the list is read. A file of 64 MB can list a million files.</summary>
     private static void CheckDirectory(Stream file)
     {
-        // The last record of a zip file has the offset of the list at byte 16, and a comment of at most 65 535 bytes after it.
+        // The last record of a zip file contains the offset of the list at byte 16; a comment of at most 65 535 bytes follows the record.
         byte[] end = new byte[Math.Min(file.Length, EndRecord + ushort.MaxValue)];
         file.Position = file.Length - end.Length;
         file.ReadExactly(end);
@@ -156,7 +156,7 @@ public sealed class MatchBundle
             throw new InvalidDataException();
         }
 
-        // If the number of the disk or of the files has all bits set, a ZIP64 record names another list.
+        // If the disk number or the file count has all bits set, a ZIP64 record specifies another list.
         if (BinaryPrimitives.ReadUInt16LittleEndian(end.AsSpan(at + 4)) == ushort.MaxValue || BinaryPrimitives.ReadUInt16LittleEndian(end.AsSpan(at + 10)) == ushort.MaxValue)
         {
             throw new RefusedException("FILE is a ZIP64 file. Pass a bundle that Recording.ToBundle wrote.");
@@ -178,7 +178,7 @@ public sealed class MatchBundle
             throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"at most {largest} bytes"));
         }
 
-        // As it comes: the length that the file names may be any number.
+        // Read until the data ends or exceeds the stated length, because the zip file may state any length.
         using Stream from = entry.Open();
         using var bytes = new MemoryStream();
         var part = new byte[64 * 1024];

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Scenarios;
 
-/// <summary>A ball at an instant, as the results give it.</summary>
+/// <summary>The state of a ball at an instant, for the results.</summary>
 public readonly record struct Moment(
     double Time, MotionState State, Vector3d Position, Vector3d Velocity, Vector3d Spin, Quaterniond Orientation)
 {

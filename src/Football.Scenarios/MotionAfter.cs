@@ -1,9 +1,9 @@
 namespace FootballPhysics.Scenarios;
 
-/// <summary>The motion of the ball after an event.</summary>
+/// <summary>Determines the motion of the ball after an event.</summary>
 public static class MotionAfter
 {
-    /// <summary>Its motion; a net, the line of a goal and a zone leave it as it was.</summary>
+    /// <summary>Returns the motion after an event. A net, a goal line and a zone do not change it.</summary>
     public static MotionState Of(BallEventKind kind, MotionState before) => kind switch
     {
         BallEventKind.Impact or BallEventKind.ContactEnd => MotionState.Airborne,

@@ -7,16 +7,17 @@ public sealed record Outcome
 
     public required IReadOnlyList<BallEvent> Events { get; init; }
 
-    /// <summary>The ends of several balls; empty where there is one, whose end is <see cref="Final"/>.</summary>
+    /// <summary>The final states of several balls; empty for one ball, whose final state is <see cref="Final"/>.</summary>
     public IReadOnlyList<Moment> Balls { get; init; } = [];
 
     /// <summary>The paths of several balls, with one entry per step, launch first; empty if not requested.</summary>
     public IReadOnlyList<IReadOnlyList<Moment>> BallSamples { get; init; } = [];
 
-    /// <summary>The impulse on the ball of an impact with something that has a mass, or of one ball among several with anything but the ground, N s; null for others.</summary>
+    /// <summary>Returns the impulse on the ball in an event, in N s; null for most events.</summary>
+    /// <remarks>Single ball: impacts with objects that have a mass. Several balls: all impacts except those on the ground.</remarks>
     public Func<BallEvent, Vector3d?> ImpulseOf { get; init; } = _ => null;
 
-    /// <summary>The greatest height of the centre, m; 0 for several balls.</summary>
+    /// <summary>The greatest height of the ball's centre, in m; 0 for several balls.</summary>
     public required double Apex { get; init; }
 
     public required long Steps { get; init; }
@@ -26,7 +27,7 @@ public sealed record Outcome
     /// <summary>The path, with one entry per step, launch first; null if not requested.</summary>
     public IReadOnlyList<Moment>? Samples { get; init; }
 
-    /// <summary>The derivatives of the end by the launch; null if not requested.</summary>
+    /// <summary>The derivatives of the final state with respect to the launch; null if not requested.</summary>
     public LaunchDerivatives? Derivatives { get; init; }
 
     /// <summary>The name of the collider or zone of an event; null if there is none.</summary>
@@ -35,9 +36,9 @@ public sealed record Outcome
     /// <summary>The name of the object that a ball hits in an event: an object of the scene or another ball; null if there is none.</summary>
     public string? SurfaceOf(in BallEvent item) => item.OtherBall >= 0 ? FormattableString.Invariant($"ball {item.OtherBall}") : NameOf(item.ColliderIndex);
 
-    /// <summary>Impacts, those of events that were missed included.</summary>
+    /// <summary>The number of impacts, including those of events that were dropped.</summary>
     public required long Bounces { get; init; }
 
-    /// <summary>Events that happened between those that were kept.</summary>
+    /// <summary>The number of dropped events. They happened between the kept ones.</summary>
     public required long Missed { get; init; }
 }

@@ -2,11 +2,11 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads a player who runs to the ball: one of "runners", or a goalkeeper.</summary>
+/// <summary>Reads a player who runs to the ball: an item of "runners", or a goalkeeper.</summary>
 public static class PlayerInput
 {
-    /// <summary>The player. The library checks the numbers when it uses them.</summary>
-    /// <param name="item">The input.</param>
+    /// <summary>Reads the player. The library checks the numbers when it uses them.</summary>
+    /// <param name="item">The object that describes the player.</param>
     public static Player Player(InputObject item)
     {
         var defaults = new Player();

@@ -1,11 +1,11 @@
 namespace FootballPhysics.Scenarios;
 
-/// <summary>The laws and numbers of a scenario where it does not say otherwise.</summary>
+/// <summary>The default laws and numbers of a scenario.</summary>
 public enum Profile
 {
-    /// <summary>Those of wind tunnels, filmed flights and test rigs: what the library has by default.</summary>
+    /// <summary>Those measured in wind tunnels, in filmed flights and on test rigs; the default of the library.</summary>
     Measured,
 
-    /// <summary>Those of the thesis that the library began with, as published.</summary>
+    /// <summary>Those published in the thesis from which the library started.</summary>
     Published,
 }

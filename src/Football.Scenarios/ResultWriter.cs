@@ -4,12 +4,12 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Writes results as JSON, one line each.</summary>
+/// <summary>Writes results as JSON, one per line.</summary>
 public static class ResultWriter
 {
     private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The line of a shot that was played.</summary>
+    /// <summary>Returns the line of a shot that was simulated.</summary>
     public static ReadOnlyMemory<byte> Result(string? name, Outcome outcome) => Line(json =>
     {
         json.WriteString("name", name);
@@ -45,14 +45,14 @@ public static class ResultWriter
         }
     });
 
-    /// <summary>The line of a shot that was refused.</summary>
+    /// <summary>Returns the line of a shot that was rejected.</summary>
     public static ReadOnlyMemory<byte> Error(string? name, string message) => Line(json =>
     {
         json.WriteString("name", name);
         json.WriteString("error", message);
     });
 
-    /// <summary>An object on a line of its own.</summary>
+    /// <summary>Returns an object on one line.</summary>
     public static ReadOnlyMemory<byte> Line(Action<Utf8JsonWriter> writeMembers)
     {
         var buffer = new ArrayBufferWriter<byte>(1024);
@@ -96,7 +96,7 @@ public static class ResultWriter
         json.WriteEndArray();
     }
 
-    /// <summary>A ball at an instant, as a value.</summary>
+    /// <summary>Writes the state of a ball as an object.</summary>
     public static void WriteMoment(Utf8JsonWriter json, in Moment moment)
     {
         json.WriteStartObject();
@@ -212,7 +212,7 @@ public static class ResultWriter
         json.WriteEndObject();
     }
 
-    /// <summary>A vector as [x, y, z].</summary>
+    /// <summary>Writes a vector as [x, y, z].</summary>
     public static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
     {
         json.WriteStartArray(name);

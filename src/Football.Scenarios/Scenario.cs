@@ -3,19 +3,19 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>One shot: scene, launch, how to integrate it and when to stop.</summary>
+/// <summary>One shot: scene, launch, integration and stop condition.</summary>
 public sealed record Scenario
 {
-    /// <summary>Step of the single ball, s.</summary>
+    /// <summary>The default step, in s.</summary>
     public const double DefaultTimeStep = 0.01;
 
-    /// <summary>When a run ends, s.</summary>
+    /// <summary>The default end of a run, in s.</summary>
     public const double DefaultDuration = 20;
 
-    /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
+    /// <summary>The maximum number of steps of which a run keeps samples; it limits the memory.</summary>
     private const double MostSamples = 1e6;
 
-    /// <summary>The maximum number of steps of all balls: a file may come from another person, and must not run for days.</summary>
+    /// <summary>The maximum number of steps of all balls. Files can come from other people; the limit keeps runs from taking days.</summary>
     private const double MostSteps = 1e9;
 
     public Scene Scene { get; init; } = Scene.Default;
@@ -24,7 +24,9 @@ public sealed record Scenario
 
     public double TimeStep { get; init; } = DefaultTimeStep;
 
-    /// <summary>Several balls instead of one; empty where there is one. Then place, velocity and spin are theirs.</summary>
+    /// <summary>
+    /// The launches of several balls; empty for a single ball. With several balls, the scenario's own position, velocity and spin are not used.
+    /// </summary>
     public IReadOnlyList<BallLaunch> Balls { get; init; } = [];
 
     /// <summary>The material of contacts between balls.</summary>
@@ -45,16 +47,16 @@ public sealed record Scenario
     /// <summary>Called with the ball before every step, to move bodies of the scene; null for no call. It must reset itself if the time goes back.</summary>
     public Action<BallState>? BeforeStep { get; init; }
 
-    /// <summary>Whether to keep the path.</summary>
+    /// <summary>True to keep the path.</summary>
     public bool Samples { get; init; }
 
-    /// <summary>Whether to find how the end changes with the launch.</summary>
+    /// <summary>True to compute the derivatives of the final state with respect to the launch.</summary>
     public bool Derivatives { get; init; }
 
-    /// <summary>Whether there is room for a sample of every step.</summary>
+    /// <summary>True if the number of steps is small enough to keep the path.</summary>
     public bool CanKeepPath => Math.Max(1, Balls.Count) * (Duration / TimeStep) <= MostSamples;
 
-    /// <summary>Reads a scenario. The library checks the numbers when it is simulated.</summary>
+    /// <summary>Reads a scenario. The library checks the numbers during the simulation.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static Scenario Read(InputFields fields)
     {
@@ -70,14 +72,14 @@ public sealed record Scenario
         return scenario;
     }
 
-    /// <summary>Rejects a run of too many steps.</summary>
-    /// <param name="duration">The maximum time to simulate, s.</param>
-    /// <param name="timeStep">The length of a step, s.</param>
+    /// <summary>Rejects a run with too many steps.</summary>
+    /// <param name="duration">The maximum time to simulate, in s.</param>
+    /// <param name="timeStep">The length of a step, in s.</param>
     /// <param name="balls">The number of balls.</param>
     /// <exception cref="RefusedException">There are too many steps.</exception>
     public static void CheckSteps(double duration, double timeStep, int balls = 1)
     {
-        // The library rejects more steps than that, and names the field that is out of range.
+        // The library rejects even more steps, and names the field that is out of range.
         double steps = Math.Max(1, balls) * (duration / timeStep);
         if (steps is > MostSteps and <= 1e12)
         {
@@ -86,7 +88,7 @@ public sealed record Scenario
         }
     }
 
-    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    /// <summary>Reads the members of a scenario from an input that may have others. Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static Scenario Take(InputObject root)
     {
         Scene scene = SceneInput.Scene(root);
@@ -118,13 +120,13 @@ public sealed record Scenario
         };
     }
 
-    /// <summary>How the ball of a launch is turned.</summary>
+    /// <summary>Returns the orientation of the ball at its launch.</summary>
     public static Quaterniond OrientationOf(InputObject launch)
     {
         Quaterniond none = Quaterniond.Identity;
         double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [none.X, none.Y, none.Z, none.W]);
 
-        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        // Scale first: the square of a very large or very small number would be infinite or zero.
         double largest = parts.Max(Math.Abs);
         double scale = largest > 0 ? largest : 1;
         return new Quaterniond(parts[0] / scale, parts[1] / scale, parts[2] / scale, parts[3] / scale);

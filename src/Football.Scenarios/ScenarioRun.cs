@@ -3,13 +3,13 @@ using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Plays a scenario.</summary>
+/// <summary>Simulates a scenario.</summary>
 public static class ScenarioRun
 {
-    /// <summary>Events that a result has at most; what happened between the first and the last of them is counted.</summary>
+    /// <summary>The maximum number of events in a result. Events between the kept ones are only counted.</summary>
     private const int MostEvents = 65_536;
 
-    /// <summary>Plays it to its end.</summary>
+    /// <summary>Simulates a scenario to its end.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
     /// <exception cref="RefusedException">The motion overflowed, although each number is allowed.</exception>
     public static Outcome Play(Scenario scenario)
@@ -36,7 +36,7 @@ public static class ScenarioRun
         Moment final = Final(scenario, in state, log.Events, ended);
         if (!ended)
         {
-            // The sum of many steps has a rounding error; the requested time has none.
+            // A sum of many steps has a rounding error; the requested time has none.
             final = final with { Time = scenario.Duration };
         }
 
@@ -64,7 +64,7 @@ public static class ScenarioRun
             : throw NotFinite(scenario);
     }
 
-    /// <summary>Several balls, to the end of all.</summary>
+    /// <summary>Simulates several balls, until all of them stop.</summary>
     private static Outcome PlaySeveral(Scenario scenario)
     {
         var group = new BallGroup(scenario.Scene, [.. scenario.Balls.Select(ball => ball.Ball)], scenario.Settings, scenario.BallContact);
@@ -101,21 +101,26 @@ public static class ScenarioRun
         return IsFinite(outcome) ? outcome : throw NotFinite(scenario);
     }
 
-    /// <summary>Impulses are told of what has a mass, and among several balls of all but the ground: things are numbered from it on, the obstacles first.</summary>
+    /// <summary>Returns a function that computes the impulse of an event; null for events without one.</summary>
+    /// <remarks>
+    /// Impacts with objects that have a mass have an impulse; with several balls, all impacts except those on the ground. Collider 0 is the ground, and
+    /// the obstacles come next.
+    /// </remarks>
     private static Func<BallEvent, Vector3d?> ImpulseOf(Scenario scenario, Func<int, BallProperties> ballOf, bool several)
     {
         IReadOnlyList<Obstacle> obstacles = scenario.Scene.Obstacles;
-        bool Tells(int thing) => thing > 0 && (several || (thing <= obstacles.Count && double.IsFinite(obstacles[thing - 1].Mass)));
-        return item => item.Kind == BallEventKind.Impact && Tells(item.ColliderIndex) ? item.Impulse(ballOf(item.Ball)) : null;
+        bool HasImpulse(int thing) => thing > 0 && (several || (thing <= obstacles.Count && double.IsFinite(obstacles[thing - 1].Mass)));
+        return item => item.Kind == BallEventKind.Impact && HasImpulse(item.ColliderIndex) ? item.Impulse(ballOf(item.Ball)) : null;
     }
 
     private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(
         $"the motion overflows before {scenario.Duration} s. Reduce the speeds, the coefficients or stop.time."));
 
-    /// <summary>
-    /// At the event that ended the run the state is the event's: an impact's own upward speed, the last motion before rest.
-    /// The ball's own state has already lost them there.
-    /// </summary>
+    /// <summary>Returns the state at the end.</summary>
+    /// <remarks>
+    /// If an event ended the run, the state is that of the event: with the upward speed of an impact, or with the last motion before rest. The ball's
+    /// own state no longer has them.
+    /// </remarks>
     private static Moment Final(Scenario scenario, in BallState state, EventBuffer events, bool ended)
     {
         var final = Moment.Of(in state);
@@ -145,7 +150,7 @@ public static class ScenarioRun
 
     private static LaunchDerivatives DerivativesOf(Scenario scenario)
     {
-        // In a scene of their own: the run has moved what gives way.
+        // Use a new simulator: the run has moved the objects that yield.
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
         var derivatives = new LaunchDerivatives(simulator);
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);

@@ -3,13 +3,13 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads the parts of an input that make up a scene and say how to integrate it; their ranges are the library's.</summary>
+/// <summary>Reads the members of an input that describe the scene and its integration. The library checks the ranges.</summary>
 public static class SceneInput
 {
-    /// <summary>The scene: ball, air, gravity, forces, ground.</summary>
+    /// <summary>Reads the scene: ball, air, gravity, forces, ground.</summary>
     public static Scene Scene(InputObject root)
     {
-        // In the order in which a refusal names them.
+        // The order determines the order of members in error messages.
         InputObject ball = root.Object("ball");
         InputObject air = root.Object("air");
         Vector3d gravity = Gravity(root);
@@ -35,7 +35,7 @@ public static class SceneInput
         return root.Make(() => set.Apply(given)) ?? given;
     }
 
-    /// <summary>A number, straight down, or a vector.</summary>
+    /// <summary>Reads the gravity: a number for the downward acceleration, or a vector.</summary>
     private static Vector3d Gravity(InputObject root)
     {
         if (!root.IsArray("gravity"))
@@ -48,7 +48,7 @@ public static class SceneInput
         return gravity;
     }
 
-    /// <summary>The solver of a single ball, and its step in seconds.</summary>
+    /// <summary>Reads the solver of a single ball, and its step, in s.</summary>
     public static SolverSettings Solver(InputObject root, out double timeStep)
     {
         InputObject solver = root.Object("solver");
@@ -63,21 +63,21 @@ public static class SceneInput
         };
     }
 
-    /// <summary>When a run ends, and whether it keeps its path.</summary>
+    /// <summary>Reads the stop condition, and whether to keep the path.</summary>
     public static (StopAt At, double Time, bool Samples) Stop(InputObject root)
     {
         InputObject stop = root.Object("stop");
         return (stop.Choice("at", StopAt.Impact), stop.Positive("time", Scenario.DefaultDuration), root.Flag("samples", false));
     }
 
-    /// <summary>The ball; in the measured profile one of the known ones.</summary>
+    /// <summary>Reads the ball. In the measured profile, it can be a known ball.</summary>
     public static BallProperties Ball(InputObject ball, Profile profile)
     {
         BallProperties defaults = profile != Profile.Measured ? BallProperties.Modern : BallProperties.Presets[ball.Preset("type", BallProperties.Presets, "modern")];
         DragCurve curve = defaults.DragCurve;
         if (profile == Profile.Measured && ball.Has("roughness"))
         {
-            // A dial of its own; only of a ball of no make
+            // A custom roughness excludes a known type.
             ball.Exclude("roughness", "type");
             double roughness = ball.Number("roughness", 0);
             curve = ball.Make(() => DragCurve.OfRoughness(roughness)) ?? curve;
@@ -110,7 +110,7 @@ public static class SceneInput
             ground.Demand(name, !ground.Has(name), "a surface other than none");
         }
 
-        // One tangential restitution, or one along x and one along z.
+        // One tangential restitution, or two: along x and along z.
         double along = defaults.Material.TangentialRestitution;
         double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [along, along]);
         SurfaceMaterial material = ground.Numbers(SceneFields.GroundMaterial, defaults.Material);

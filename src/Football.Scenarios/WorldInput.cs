@@ -3,17 +3,17 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>Reads what can be met beside a level pitch: obstacles, nets, goals, uneven ground.</summary>
+/// <summary>Reads the objects of a scene beyond a level pitch: obstacles, nets, goals, uneven ground.</summary>
 public static class WorldInput
 {
-    /// <summary>The obstacles.</summary>
+    /// <summary>Reads the obstacles.</summary>
     public static IReadOnlyList<Obstacle> Obstacles(InputObject root, SurfaceMaterial frame) =>
         [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
-    /// <summary>The zones.</summary>
+    /// <summary>Reads the zones.</summary>
     public static IReadOnlyList<Zone> Zones(InputObject root) => [.. root.Objects("zones").Select(Zone).OfType<Zone>()];
 
-    /// <summary>The bodies, which the game moves; null if there are none.</summary>
+    /// <summary>Reads the bodies that the game moves; null if there are none.</summary>
     public static KinematicBodies? Bodies(InputObject root)
     {
         IReadOnlyList<InputObject> items = root.Objects("bodies");
@@ -31,13 +31,13 @@ public static class WorldInput
         return bodies.Count > 0 ? bodies : null;
     }
 
-    /// <summary>The nets that stand by themselves.</summary>
+    /// <summary>Reads the free-standing nets.</summary>
     public static IReadOnlyList<Net> Nets(InputObject root) => [.. root.Objects("nets").Select((item, i) => Net(item, i))];
 
-    /// <summary>The goals.</summary>
+    /// <summary>Reads the goals.</summary>
     public static IReadOnlyList<Goal> Goals(InputObject root, SurfaceMaterial frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
 
-    /// <summary>Uneven ground; null if not given.</summary>
+    /// <summary>Reads the height field of uneven ground; null if not given.</summary>
     public static HeightField? Heights(InputObject ground)
     {
         if (!ground.Has("heights"))
@@ -100,10 +100,10 @@ public static class WorldInput
         }
     }
 
-    /// <summary>The material of an object: numbers, and the name of the preset that the others come from.</summary>
+    /// <summary>Reads the material of an object: its numbers, and the name of the preset for the other numbers.</summary>
     private static SurfaceMaterial Surface(InputObject item, SurfaceMaterial defaults) => Material(item.Object("surface"), defaults);
 
-    /// <summary>The numbers of a material. <c>"material"</c> names the preset of those that are missing.</summary>
+    /// <summary>Reads the numbers of a material. <c>"material"</c> names the preset of those that are missing.</summary>
     public static SurfaceMaterial Material(InputObject surface, SurfaceMaterial defaults)
     {
         string name = surface.Preset("material", SurfaceMaterial.Presets, "");

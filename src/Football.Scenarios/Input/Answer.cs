@@ -1,4 +1,4 @@
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The line that answers a line of the input, and why it was refused where it was.</summary>
+/// <summary>The output line for an input line, and the error message; null if the input was accepted.</summary>
 public readonly record struct Answer(ReadOnlyMemory<byte> Line, string? Refusal);

@@ -2,16 +2,16 @@ using System.Threading.Tasks.Dataflow;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Answers lines on several threads, in input order, without holding more than a few of them.</summary>
+/// <summary>Processes lines on several threads, and returns the answers in input order. It holds only a few lines in memory.</summary>
 public static class BatchPipeline
 {
-    /// <summary>Answers that may wait for one before them, per job.</summary>
+    /// <summary>The maximum number of lines in progress, per job. Answers wait for those of earlier lines.</summary>
     private const int Ahead = 16;
 
-    /// <summary>Answers every line that is not blank.</summary>
-    /// <param name="input">Where lines come from.</param>
-    /// <param name="jobs">How many lines are answered at a time.</param>
-    /// <param name="answer">Answers a line; throws nothing.</param>
+    /// <summary>Processes every line that is not blank.</summary>
+    /// <param name="input">The source of the lines.</param>
+    /// <param name="jobs">The number of lines that are processed in parallel.</param>
+    /// <param name="answer">Computes the answer to a line; must not throw.</param>
     /// <param name="onAnswer">Called with each answer, in input order, from one thread at a time.</param>
     public static async Task RunAsync(LineReader input, int jobs, Func<InputLine, Answer> answer, Action<Answer> onAnswer)
     {
@@ -27,7 +27,7 @@ public static class BatchPipeline
         }
         finally
         {
-            // If writing failed, no more input is needed: the reader's next line is declined.
+            // If writing failed, decline further input.
             work.Complete();
         }
 
@@ -35,7 +35,7 @@ public static class BatchPipeline
         await reading.ConfigureAwait(false);
     }
 
-    /// <summary>An error is reported only after the results of all earlier lines.</summary>
+    /// <summary>Reads the lines. It reports a read error only after the results of all earlier lines.</summary>
     private static async Task ReadAsync(LineReader input, TransformBlock<InputLine, Answer> work)
     {
         try

@@ -4,10 +4,10 @@ using System.Text.Json.Nodes;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>A value that takes the place of a field's in every scenario, whether the field was given or not.</summary>
+/// <summary>A value that replaces a field in every scenario, or adds it if the field is not given.</summary>
 public sealed class FieldOverride
 {
-    /// <summary>Far deeper than any scenario.</summary>
+    /// <summary>The maximum number of parts of a path: far more than any scenario has.</summary>
     private const int MostParts = 16;
 
     private const string Anywhere = "a member of an object, or an element of an array";
@@ -34,7 +34,7 @@ public sealed class FieldOverride
         Parse(text) is { } field ? new FieldOverride(["ranges", string.Join('.', field._path)], field._value) : null;
 
     /// <summary>Returns the scenario with the values set.</summary>
-    /// <exception cref="RefusedException">There is no such place.</exception>
+    /// <exception cref="RefusedException">There is no such field.</exception>
     public static JsonElement Apply(JsonElement scenario, IReadOnlyList<FieldOverride> overrides)
     {
         // An input that is not an object stays unchanged; the check that follows reports it.
@@ -52,7 +52,7 @@ public sealed class FieldOverride
         return JsonElement.Parse(root.ToJsonString());
     }
 
-    /// <summary>JSON where the text is JSON, so that numbers and arrays need no quotes; otherwise the text itself.</summary>
+    /// <summary>Returns the text as JSON if it is valid JSON, so that numbers and arrays need no quotes; otherwise as a string.</summary>
     private JsonNode? Value()
     {
         if (JsonText.Parse(Encoding.UTF8.GetBytes(_value), out JsonElement value) is not null)

@@ -4,17 +4,17 @@ using System.Text.Json.Nodes;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Puts values into a tree of JSON.</summary>
+/// <summary>Sets values in a JSON tree.</summary>
 public static class FieldPlace
 {
     private const string Anywhere = "a member of an object, or an element of an array";
 
     /// <summary>Sets a value at a path, and creates missing objects on the path.</summary>
-    /// <param name="root">The whole.</param>
-    /// <param name="path">The parts of the place's name, outermost first.</param>
+    /// <param name="root">The root of the tree.</param>
+    /// <param name="path">The parts of the path, outermost first.</param>
     /// <param name="value">The value.</param>
     /// <param name="who">The name of the option, for error messages.</param>
-    /// <exception cref="RefusedException">There is no such place.</exception>
+    /// <exception cref="RefusedException">There is no such field.</exception>
     public static void Put(JsonNode root, ReadOnlySpan<string> path, JsonNode? value, string who)
     {
         JsonNode at = root;
@@ -41,7 +41,7 @@ public static class FieldPlace
         }
     }
 
-    /// <summary>The value as a part of a tree.</summary>
+    /// <summary>Converts a value to a node of a tree.</summary>
     public static JsonNode? Node(JsonElement value) => value.ValueKind switch
     {
         JsonValueKind.Object => JsonObject.Create(value),

@@ -4,17 +4,17 @@ using System.Text.Json;
 namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>One object of the input, bare or as {"name", "scenario"}, with its overrides; its fields are not yet checked.</summary>
-/// <param name="Name">The name, where there is one; a refused input may have one too.</param>
+/// <param name="Name">The name; null if not given. A rejected input may have a name too.</param>
 /// <param name="Scenario">The scenario's fields; null if the input was rejected.</param>
-/// <param name="Refusal">Why there is no scenario.</param>
+/// <param name="Refusal">The error; null if the input was accepted.</param>
 public sealed record InputCase(string? Name, InputFields? Scenario, RefusedException? Refusal)
 {
     private const string ScenarioMember = "scenario";
     private const string NameMember = "name";
 
-    /// <summary>Reads the object.</summary>
-    /// <param name="line">Its text.</param>
-    /// <param name="overrides">Values to put in before anything is checked.</param>
+    /// <summary>Reads an object.</summary>
+    /// <param name="line">The text of the object.</param>
+    /// <param name="overrides">The values to set before the check.</param>
     public static InputCase Read(InputLine line, IReadOnlyList<FieldOverride> overrides)
     {
         JsonFault? fault = JsonText.Parse(line.Text, out JsonElement root);

@@ -3,7 +3,7 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The fields of one input: the known ones, the given ones, and their errors.</summary>
+/// <summary>Collects the known fields of an input, the given fields, and their errors.</summary>
 public sealed class InputFields
 {
     private readonly JsonElement _root;
@@ -11,12 +11,12 @@ public sealed class InputFields
     /// <summary>The known members of each object, by its path.</summary>
     private readonly Dictionary<string, List<string>> _names = [];
 
-    /// <summary>The objects of lists, by their paths.</summary>
+    /// <summary>The objects in lists, by path.</summary>
     private readonly Dictionary<string, JsonElement> _items = [];
 
     private RefusedException? _refusal;
 
-    /// <summary>Begins with nothing known.</summary>
+    /// <summary>Creates an instance without known fields.</summary>
     /// <param name="root">The whole input.</param>
     public InputFields(JsonElement root)
     {
@@ -24,23 +24,23 @@ public sealed class InputFields
         Root = new InputObject(this, "", root.ValueKind == JsonValueKind.Object ? root : null);
     }
 
-    /// <summary>The whole input.</summary>
+    /// <summary>The root object.</summary>
     public InputObject Root { get; }
 
-    /// <summary>The whole input, as it was read.</summary>
+    /// <summary>The input, as parsed.</summary>
     public JsonElement Document => _root;
 
-    /// <summary>The names that the object at a path is known to have; to be added to.</summary>
+    /// <summary>Returns the list of known member names of the object at a path; callers add names to it.</summary>
     public List<string> NamesIn(string path) => _names.TryGetValue(path, out List<string>? names) ? names : _names[path] = [];
 
-    /// <summary>An object in a list, whose members are checked as those of any other.</summary>
+    /// <summary>Registers an object in a list. Its members are checked like those of other objects.</summary>
     public InputObject Item(string path, JsonElement item)
     {
         _items[path] = item;
         return new InputObject(this, path, item.ValueKind == JsonValueKind.Object ? item : null);
     }
 
-    /// <summary>Keeps the first refusal.</summary>
+    /// <summary>Records an error. Only the first one is kept.</summary>
     public void Refuse(RefusedException refusal) => _refusal ??= refusal;
 
     /// <summary>Throws the first error. Call it after all members have been read.</summary>
@@ -59,7 +59,7 @@ public sealed class InputFields
         }
     }
 
-    /// <summary>The text of the field in the input, on one line; null if it is not given.</summary>
+    /// <summary>Returns the text of a field in the input, on one line; null if it is not given.</summary>
     public string? Text(string path)
     {
         JsonElement at = _root;
@@ -87,7 +87,7 @@ public sealed class InputFields
         return there;
     }
 
-    /// <summary>As it was written, on one line.</summary>
+    /// <summary>Returns the text of a value, on one line.</summary>
     private static string Text(JsonElement value) =>
         Quote.Short(string.Join(' ', value.GetRawText().Split((char[])[' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries)));
 
@@ -123,7 +123,10 @@ public sealed class InputFields
         return new RefusedException($"{Quote.Short(path)} is unknown (given {Text(value)}); allowed {place}: {string.Join(" | ", _names[parent])}{hint}");
     }
 
-    /// <summary>A field of exactly that name in another object: the user forgot, or mistook, what it belongs to.</summary>
+    /// <summary>
+    /// Returns the path of a field of this name, ignoring case, in another object; null if there is none. The user may have put the field into the
+    /// wrong object.
+    /// </summary>
     private string? ElsewhereNamed(string name) => _names
         .Where(parent => parent.Value.Contains(name, StringComparer.OrdinalIgnoreCase))
         .Select(parent => (parent.Key.Length > 0 ? parent.Key + "." : "") + parent.Value.First(item => item.Equals(name, StringComparison.OrdinalIgnoreCase)))

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>A line of the input: its text, and whether that was cut because it got too long.</summary>
+/// <summary>A line of the input: its text, and whether the text was truncated because it is too long.</summary>
 public readonly record struct InputLine(byte[] Text, bool IsCut)
 {
     /// <summary>True if the line is empty. A truncated line does not count as empty.</summary>

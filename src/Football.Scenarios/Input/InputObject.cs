@@ -3,12 +3,13 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>
-/// An object of the input whose members are read one by one, each with its default. Members that are never read are unknown;
-/// errors are kept until <see cref="InputFields.Check"/>. A value that is not a number becomes NaN, which the range check rejects.
-/// </summary>
+/// <summary>An object of the input. Code reads its members one by one, each with its default.</summary>
+/// <remarks>
+/// Members that are never read are unknown. Errors are recorded and reported by <see cref="InputFields.Check"/>. A value that is not a number becomes
+/// NaN, which the range check rejects.
+/// </remarks>
 /// <param name="fields">All fields of the input.</param>
-/// <param name="path">Where it is.</param>
+/// <param name="path">The path of the object.</param>
 /// <param name="element">The object; null if it is not given or not an object.</param>
 public sealed class InputObject(InputFields fields, string path, JsonElement? element)
 {
@@ -16,37 +17,37 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
 
     private readonly List<string> _known = fields.NamesIn(path);
 
-    /// <summary>A member that is an object; empty where it is missing.</summary>
+    /// <summary>Returns a member that is an object; an empty one if it is missing.</summary>
     public InputObject Object(string name) => new(fields, Join(name), Take(name) is { ValueKind: JsonValueKind.Object } member ? member : null);
 
-    /// <summary>A number.</summary>
+    /// <summary>Returns a number.</summary>
     public double Number(string name, double fallback) => Take(name) is { } value ? NumberOf(value) : fallback;
 
-    /// <summary>A number that must be given.</summary>
+    /// <summary>Returns a required number.</summary>
     public double Number(string name) => Take(name) is { } value ? NumberOf(value) : Refuse(name, FiniteNumber, double.NaN);
 
-    /// <summary>A number, or null for no limit.</summary>
+    /// <summary>Returns a number; infinity if it is null.</summary>
     public double Limit(string name, double fallback) => Take(name) is not { } value ? fallback
         : value.ValueKind == JsonValueKind.Null ? double.PositiveInfinity
         : NumberOf(value);
 
-    /// <summary>A text.</summary>
+    /// <summary>Returns a string.</summary>
     public string Text(string name, string fallback) => Take(name) is not { } value ? fallback
         : value.ValueKind == JsonValueKind.String ? value.GetString()!
         : Refuse(name, "a text", fallback);
 
-    /// <summary>A text that must be one of some.</summary>
+    /// <summary>Returns a string that must be one of the allowed ones.</summary>
     public string OneOf(string name, params string[] allowed) =>
         Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
         : Refuse(name, string.Join(" | ", allowed), allowed[0]);
 
-    /// <summary>The strings of a list; null if it is missing.</summary>
+    /// <summary>Returns the strings of a list; null if it is missing.</summary>
     public string[]? Texts(string name) => Take(name) is not { } value ? null
         : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
             ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
         : Refuse<string[]?>(name, "a list of texts", null);
 
-    /// <summary>The objects of a list; empty if it is missing.</summary>
+    /// <summary>Returns the objects of a list; empty if it is missing.</summary>
     public IReadOnlyList<InputObject> Objects(string name)
     {
         if (Take(name) is not { } value)
@@ -59,7 +60,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
             : Refuse<IReadOnlyList<InputObject>>(name, "a list of objects", []);
     }
 
-    /// <summary>A table of numbers with rows of equal length; null if it is not one.</summary>
+    /// <summary>Returns a table of numbers with rows of equal length; null if it is missing or invalid.</summary>
     public double[,]? Table(string name)
     {
         const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
@@ -70,7 +71,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
             return Refuse<double[,]?>(name, Allowed, null);
         }
 
-        // Row by row: an element by its index is looked for from the first one on.
+        // Enumerate the rows: access by index searches from the first element each time.
         var table = new double[value.GetArrayLength(), columns];
         int i = 0;
         foreach (JsonElement row in value.EnumerateArray())
@@ -93,19 +94,19 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return table;
     }
 
-    /// <summary>A number above 0.</summary>
+    /// <summary>Returns a number above 0.</summary>
     public double Positive(string name, double fallback)
     {
         double number = Number(name, fallback);
         return number > 0 && double.IsFinite(number) ? number : Refuse(name, $"{FiniteNumber} above 0", fallback);
     }
 
-    /// <summary>A whole number.</summary>
+    /// <summary>Returns a whole number.</summary>
     public int Whole(string name, int fallback) => Take(name) is not { } value ? fallback
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
 
-    /// <summary>A list of layers, 0 … 31; empty if it is missing.</summary>
+    /// <summary>Returns a list of layers, 0 … 31; empty if it is missing.</summary>
     public int[] Layers(string name)
     {
         if (Take(name) is not { } value)
@@ -119,21 +120,21 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
             : Refuse<int[]>(name, $"a list of layers, whole numbers 0 … {FootballPhysics.Layers.Highest}", []);
     }
 
-    /// <summary>A whole number of 64 bits, or null.</summary>
+    /// <summary>Returns a 64-bit whole number, or null.</summary>
     public long? OptionalWhole(string name, long? fallback = null) => Take(name) is not { } value ? fallback
         : value.ValueKind == JsonValueKind.Null ? null
         : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
         : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
 
-    /// <summary>A number above 0; null if it is missing.</summary>
+    /// <summary>Returns a number above 0; null if it is missing.</summary>
     public double? OptionalPositive(string name) => Has(name) ? Positive(name, 1) : null;
 
-    /// <summary>true or false.</summary>
+    /// <summary>Returns true or false.</summary>
     public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
         : value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean()
         : Refuse(name, "true | false", fallback);
 
-    /// <summary>One of an enumeration, in camel case.</summary>
+    /// <summary>Returns a member of an enumeration, written in camel case.</summary>
     public T Choice<T>(string name, T fallback)
         where T : struct, Enum
     {
@@ -147,16 +148,16 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return found >= 0 ? values[found] : Refuse(name, string.Join(" | ", values.Select(Words.Of)), fallback);
     }
 
-    /// <summary>One of several presets, by its name.</summary>
+    /// <summary>Returns the name of one of several presets.</summary>
     /// <param name="name">The member.</param>
     /// <param name="presets">The presets.</param>
-    /// <param name="fallback">Name of the default.</param>
+    /// <param name="fallback">The name of the default.</param>
     public string Preset<T>(string name, IReadOnlyDictionary<string, T> presets, string fallback) =>
         Take(name) is not { } value ? fallback
         : value.ValueKind == JsonValueKind.String && presets.ContainsKey(value.GetString()!) ? value.GetString()!
         : Refuse(name, string.Join(" | ", presets.Keys), fallback);
 
-    /// <summary>A part of the scene with all its numbers; those that are missing are the default's.</summary>
+    /// <summary>Returns a part of the scene with all its numbers; missing ones have the default's values.</summary>
     internal T Numbers<T>(NumberField<T>[] numbers, T defaults)
     {
         foreach (NumberField<T> field in numbers)
@@ -169,26 +170,26 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return defaults;
     }
 
-    /// <summary>Three numbers.</summary>
+    /// <summary>Returns three numbers.</summary>
     public Vector3d Vector(string name, Vector3d fallback)
     {
         double[] v = Numbers(name, "[x, y, z]", [fallback.X, fallback.Y, fallback.Z]);
         return new Vector3d(v[0], v[1], v[2]);
     }
 
-    /// <summary>Three numbers that must be given.</summary>
+    /// <summary>Returns three required numbers.</summary>
     public Vector3d Vector(string name) => Has(name) ? Vector(name, Vector3d.Zero) : Refuse(name, "[x, y, z], 3 finite numbers", Vector3d.Zero);
 
-    /// <summary>Three numbers, or null.</summary>
+    /// <summary>Returns three numbers, or null.</summary>
     public Vector3d? OptionalVector(string name) => Take(name) is { ValueKind: not JsonValueKind.Null } ? Vector(name, Vector3d.Zero) : null;
 
-    /// <summary>So many finite numbers, which must be given.</summary>
+    /// <summary>Returns a required list of finite numbers of the given length.</summary>
     public double[] Numbers(string name, string form, int count) =>
         Has(name) ? Numbers(name, form, new double[count]) : Refuse(name, $"{form}, {count} finite numbers", new double[count]);
 
-    /// <summary>So many finite numbers as there are by default.</summary>
+    /// <summary>Returns a list of finite numbers with the length of the default.</summary>
     /// <param name="name">The member.</param>
-    /// <param name="form">The form of the list, like [x, y, z].</param>
+    /// <param name="form">The form of the list, such as [x, y, z].</param>
     /// <param name="fallback">The default.</param>
     public double[] Numbers(string name, string form, double[] fallback)
     {
@@ -208,18 +209,18 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return wrong < 0 ? numbers : Refuse($"{name}[{wrong}]", $"{FiniteNumber} ({Join(name)}: {allowed})", fallback);
     }
 
-    /// <summary>One number for both of two, or the two.</summary>
+    /// <summary>Returns two numbers. A single number counts for both.</summary>
     public double[] OneOrTwo(string name, string form, double[] fallback) =>
         Take(name) is { ValueKind: JsonValueKind.Number } value ? [NumberOf(value), NumberOf(value)] : Numbers(name, form, fallback);
 
-    /// <summary>A number within a range.</summary>
+    /// <summary>Returns a number in a range.</summary>
     public double Within(string name, double fallback, NumberRange allowed)
     {
         double number = Number(name, fallback);
         return allowed.Contains(number) ? number : Refuse(name, allowed.ToString(), fallback);
     }
 
-    /// <summary>The numbers of a list, ascending and not negative; empty if it is missing.</summary>
+    /// <summary>Returns a list of ascending numbers from 0; empty if it is missing.</summary>
     public IReadOnlyList<double> Ascending(string name)
     {
         if (Take(name) is not { } value)

@@ -6,10 +6,10 @@ using System.Text.Json;
 namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The error in a text that is not strict JSON.</summary>
-/// <param name="Path">The field at which it goes wrong, empty for the whole.</param>
-/// <param name="Value">The text at the error, as the message shows it.</param>
-/// <param name="Expected">The text that is allowed there.</param>
-/// <param name="Name">The member "name" of the whole, if it came before.</param>
+/// <param name="Path">The path of the field with the error; empty for the root.</param>
+/// <param name="Value">The text at the error, as shown in the message.</param>
+/// <param name="Expected">The allowed text.</param>
+/// <param name="Name">The member "name" of the root if it precedes the error; otherwise null.</param>
 public sealed record JsonFault(string Path, string Value, string Expected, string? Name)
 {
     /// <summary>The requirement for every part of an input.</summary>
@@ -26,7 +26,7 @@ public sealed record JsonFault(string Path, string Value, string Expected, strin
             return place.Fault(string.Create(CultureInfo.InvariantCulture, $"not UTF-8 at byte {invalid + 1}"), "a JSON object in UTF-8");
         }
 
-        // Not the final block, so that the reader accepts a text that ends too early.
+        // Not the final block: the reader then accepts a text that ends too early.
         var reader = new Utf8JsonReader(text, isFinalBlock: false, new JsonReaderState(Options));
         try
         {
@@ -44,7 +44,7 @@ public sealed record JsonFault(string Path, string Value, string Expected, strin
         }
         catch (InvalidOperationException)
         {
-            // An escape of half a character: the reader has already passed the string.
+            // An escape contains half a surrogate pair; the reader has already passed the string.
             return Stopped(text, (int)reader.TokenStartIndex, place);
         }
 

@@ -3,20 +3,20 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Where a reader is in a JSON text: the path of the value that it is about to read.</summary>
+/// <summary>The position of a reader in a JSON text: the path of the value that it reads next.</summary>
 public sealed class JsonPlace
 {
     private readonly Stack<Level> _levels = new();
     private string? _name;
 
-    /// <summary>Whether the whole value has been read.</summary>
+    /// <summary>True if the root value is complete.</summary>
     public bool Ended { get; private set; }
 
-    /// <summary>How many objects and arrays are open.</summary>
+    /// <summary>The number of open objects and arrays.</summary>
     public int Depth => _levels.Count;
 
-    /// <summary>Goes on to the token that the reader has just read.</summary>
-    /// <returns>The fault where a member is given twice.</returns>
+    /// <summary>Advances to the token that the reader has just read.</summary>
+    /// <returns>The error if a member occurs twice; otherwise null.</returns>
     public JsonFault? Enter(ref Utf8JsonReader reader)
     {
         switch (reader.TokenType)
@@ -53,7 +53,7 @@ public sealed class JsonPlace
         return null;
     }
 
-    /// <summary>A fault at this place.</summary>
+    /// <summary>Creates an error at this position.</summary>
     public JsonFault Fault(string value, string expected) => new(Path(), value, expected, _name);
 
     private string Path()
@@ -69,13 +69,13 @@ public sealed class JsonPlace
 
     private sealed class Level
     {
-        /// <summary>Names of the members so far; null in an array.</summary>
+        /// <summary>The names of the members so far; null in an array.</summary>
         public HashSet<string>? Names { get; init; }
 
-        /// <summary>The member that is being read.</summary>
+        /// <summary>The name of the current member.</summary>
         public string? Member { get; set; }
 
-        /// <summary>The element that is being read.</summary>
+        /// <summary>The index of the current element.</summary>
         public int Index { get; set; }
     }
 }

@@ -3,15 +3,15 @@ using System.Text.Unicode;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>JSON read strictly: no comments, no trailing commas, no member twice, no depth without end.</summary>
+/// <summary>Parses strict JSON: no comments, no trailing commas, no duplicate members, limited nesting.</summary>
 public static class JsonText
 {
-    /// <summary>Levels of objects and arrays; a batch line needs six.</summary>
+    /// <summary>The maximum nesting of objects and arrays. A batch line needs six levels.</summary>
     public const int Deepest = 64;
 
     private static readonly JsonDocumentOptions Strict = new() { AllowDuplicateProperties = false, MaxDepth = Deepest };
 
-    /// <summary>Reads the value that is the whole text.</summary>
+    /// <summary>Parses a text that consists of one value.</summary>
     /// <returns>The error in the text; null if there is none.</returns>
     public static JsonFault? Parse(ReadOnlySpan<byte> text, out JsonElement root)
     {
@@ -25,7 +25,7 @@ public static class JsonText
             return JsonFault.Find(text) ?? new JsonFault("", "not JSON", JsonFault.Allowed, null);
         }
 
-        // Invalid UTF-8 and escapes of half a character do not stop the parser, only later reads of the string.
+        // The parser accepts invalid UTF-8 and escapes of half a surrogate pair; only a later read of the string fails.
         return Utf8.IsValid(text) && text.IndexOf("\\u"u8) < 0 ? null : JsonFault.Find(text);
     }
 }

@@ -3,17 +3,17 @@ using System.Text.Json;
 namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>
-/// Translates the library's exceptions about arguments. They name the field as a scenario does; the translation shows the value as it was
-/// written, and the words of the JSON formats.
+/// Translates the library's argument exceptions. They name the field as a scenario does. The translation adds the value as written in the input, and
+/// the words of the JSON formats.
 /// </summary>
 public static class LibraryRefusal
 {
     private const string Marker = "; allowed: ";
 
-    /// <summary>The suffixes that the runtime adds to the message of an argument exception: with its own texts, and trimmed without them.</summary>
+    /// <summary>The suffixes that the runtime adds to the message of an argument exception: with its resource strings, and trimmed without them.</summary>
     private static readonly string[] s_suffixes = [" (Parameter '", " Arg_ParamName_Name, "];
 
-    /// <summary>The message of an exception, without the suffix of the runtime.</summary>
+    /// <summary>Returns the message of an exception without the suffix of the runtime.</summary>
     /// <param name="exception">The exception.</param>
     public static string Sentence(Exception exception)
     {
@@ -22,10 +22,10 @@ public static class LibraryRefusal
         return suffix < 0 ? message : message[..suffix];
     }
 
-    /// <summary>The message for the user; null if the exception is not about a field of the input.</summary>
+    /// <summary>Returns the error for the user; null if the exception is not about a field of the input.</summary>
     /// <param name="exception">The exception.</param>
     /// <param name="input">The input.</param>
-    /// <param name="path">The path of the object that was built, in the input; empty for the whole input.</param>
+    /// <param name="path">The path in the input of the object being created; empty for the root.</param>
     public static RefusedException? Of(ArgumentException exception, InputFields input, string path = "")
     {
         string message = Sentence(exception);
@@ -44,7 +44,7 @@ public static class LibraryRefusal
         int marker = message.IndexOf(Marker, StringComparison.Ordinal);
         if (marker < 0)
         {
-            // A conflict of fields: a sentence that starts with the name of one. Other exceptions are faults of the program.
+            // A conflict between fields: a sentence that starts with the name of one. Other exceptions are bugs of the program.
             return message.StartsWith(name + " ", StringComparison.Ordinal)
                 ? new RefusedException(field + message[name.Length..(end + 1)].Replace("aim.waypoint", "aim.through"))
                 : null;

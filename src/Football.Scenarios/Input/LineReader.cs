@@ -2,27 +2,27 @@ using System.Buffers;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Reads lines, or a whole text, from a stream; of a long one only the beginning is kept.</summary>
+/// <summary>Reads lines, or a complete text, from a stream. It keeps only the beginning of a long line or text.</summary>
 public sealed class LineReader(Stream input)
 {
-    /// <summary>Bytes that one object may have: far more than a scenario can need, far less than would hurt.</summary>
+    /// <summary>The maximum size of one object, in bytes: far more than a scenario needs, and small enough for memory.</summary>
     public const int LongestInput = 1 << 20;
 
-    /// <summary>Bytes after which a line is taken to have no end.</summary>
+    /// <summary>The maximum length of a line, in bytes. A longer line counts as endless.</summary>
     private const int LongestLine = 1 << 26;
 
     private readonly byte[] _chunk = new byte[64 * 1024];
     private int _start;
     private int _end;
 
-    /// <summary>Bytes read so far.</summary>
+    /// <summary>The number of bytes read so far.</summary>
     public long BytesRead { get; private set; }
 
-    /// <summary>The next line without its end, or null at the end of the input.</summary>
-    /// <exception cref="RefusedException">The line has no end.</exception>
+    /// <summary>Returns the next line without its line break; null at the end of the input.</summary>
+    /// <exception cref="RefusedException">The line exceeds the maximum length.</exception>
     public InputLine? ReadLine() => Read(wholeText: false);
 
-    /// <summary>Everything that is left, but no more than is worth reading.</summary>
+    /// <summary>Returns the rest of the input, truncated after <see cref="LongestInput"/> bytes.</summary>
     public InputLine ReadToEnd() => Read(wholeText: true) ?? new InputLine([], false);
 
     private InputLine? Read(bool wholeText)
@@ -61,7 +61,7 @@ public sealed class LineReader(Stream input)
         _start = 0;
         _end = input.Read(_chunk);
 
-        // A mark of the byte order may come in pieces, or alone: what follows it is looked for.
+        // A byte order mark may arrive in parts, or alone: read on until the text after it is there.
         while (first && _end is > 0 and <= 3 && "\uFEFF"u8.StartsWith(_chunk.AsSpan(0, _end)) && input.Read(_chunk.AsSpan(_end)) is > 0 and int more)
         {
             _end += more;

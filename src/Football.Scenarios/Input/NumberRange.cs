@@ -1,6 +1,6 @@
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The numbers that are allowed where the library has no range of its own, with their unit.</summary>
+/// <summary>The range of a number for which the library defines none, with its unit.</summary>
 public readonly record struct NumberRange(double Low, double High, string Unit)
 {
     public bool Contains(double value) => value >= Low && value <= High;

@@ -3,12 +3,12 @@ using System.Text;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Makes foreign text fit for a message: one line, printable, short.</summary>
+/// <summary>Converts foreign text for a message: one line, printable, short.</summary>
 public static class Quote
 {
-    /// <summary>The text on one line, cut where it gets long.</summary>
+    /// <summary>Returns the text on one line, truncated if it is long.</summary>
     /// <param name="text">The text.</param>
-    /// <param name="longest">Characters that a message shows of it.</param>
+    /// <param name="longest">The maximum number of characters to show.</param>
     public static string Short(string text, int longest = 60)
     {
         var line = new StringBuilder();
@@ -22,6 +22,6 @@ public static class Quote
         return line.Append(text.Length > longest + 1 ? "…" : "").ToString();
     }
 
-    /// <summary>The name of a file in quotes, so that an empty one is seen too.</summary>
+    /// <summary>Returns the name of a file in quotes, so that an empty name is visible too.</summary>
     public static string File(string name) => $"\"{Short(name)}\"";
 }

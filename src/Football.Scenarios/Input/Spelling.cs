@@ -1,12 +1,12 @@
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>Guesses which name a misspelt one was meant to be.</summary>
+/// <summary>Suggests the intended name for a misspelt one.</summary>
 public static class Spelling
 {
-    /// <summary>Longer names are not treated as misspellings.</summary>
+    /// <summary>The maximum length of a name that is treated as misspelt.</summary>
     private const int Longest = 40;
 
-    /// <summary>The known name that is closest to the given one; null if none is close.</summary>
+    /// <summary>Returns the known name that is closest to the given one; null if none is close.</summary>
     public static string? Closest(string given, IEnumerable<string> names) => given.Length > Longest ? null : names
         .Select(name => (Name: name, Distance: Distance(given.ToUpperInvariant(), name.ToUpperInvariant())))
         .Where(item => item.Distance <= Math.Max(1, item.Name.Length / 3)
@@ -15,7 +15,7 @@ public static class Spelling
         .Select(item => item.Name)
         .FirstOrDefault();
 
-    /// <summary>Letters to insert, delete, replace, or neighbours to swap, to get from one to the other.</summary>
+    /// <summary>Returns the edit distance: the number of insertions, deletions, replacements and swaps of neighbours.</summary>
     private static int Distance(string from, string to)
     {
         var cost = new int[from.Length + 1, to.Length + 1];

@@ -2,10 +2,10 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The values of an enumeration as the formats write them.</summary>
+/// <summary>Formats the values of an enumeration.</summary>
 public static class Words
 {
-    /// <summary>The word for a value: its name in camel case. Files keep the words of members that have been renamed.</summary>
+    /// <summary>Returns the word for a value: its name in camel case. Renamed members keep their old words, so that files stay valid.</summary>
     public static string Of<T>(T value)
         where T : struct, Enum => (Enum)value switch
         {
