@@ -2,40 +2,40 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>A number of a launch or of an aim: it may differ from row to row without another scene.</summary>
-/// <param name="Path">The field.</param>
-/// <param name="Column">Its column.</param>
-/// <param name="Unit">Its unit.</param>
+/// <summary>A number of a launch or an aim. It can differ between rows of one scene.</summary>
+/// <param name="Path">The path of the field.</param>
+/// <param name="Column">The name of the column.</param>
+/// <param name="Unit">The unit.</param>
 /// <param name="Allowed">The allowed values.</param>
-/// <param name="Range">What it is drawn from where nothing is said; null for no range.</param>
+/// <param name="Range">The default range; null for none.</param>
 internal sealed record DirectField(string Path, string Column, string Unit, NumberRange Allowed, (double Low, double High)? Range = null)
 {
-    /// <summary>Where in <see cref="OfLaunch"/> the numbers of a kick are: speed, elevation, azimuth, topspin, sidespin.</summary>
+    /// <summary>The index in <see cref="OfLaunch"/> of the numbers of a kick: speed, elevation, azimuth, topspin, sidespin.</summary>
     public const int Kick = 0;
 
-    /// <summary>Numbers of a kick.</summary>
+    /// <summary>The number of numbers of a kick.</summary>
     public const int KickNumbers = 5;
 
-    /// <summary>Where the place of a launch is.</summary>
+    /// <summary>The index of the position of a launch.</summary>
     public const int Position = 5;
 
-    /// <summary>Where the velocity of a launch is.</summary>
+    /// <summary>The index of the velocity of a launch.</summary>
     public const int Velocity = 8;
 
-    /// <summary>Where the spin of a launch is.</summary>
+    /// <summary>The index of the spin of a launch.</summary>
     public const int Spin = 11;
 
-    /// <summary>Where in <see cref="OfAim"/> the point of the kick is.</summary>
+    /// <summary>The index in <see cref="OfAim"/> of the position of the kick.</summary>
     public const int From = 3;
 
-    /// <summary>Where the target is.</summary>
+    /// <summary>The index of the target.</summary>
     public const int Target = 6;
 
     private static readonly NumberRange s_place = new(-Limits.Length, Limits.Length, "m");
     private static readonly NumberRange s_speed = new(-Limits.Speed, Limits.Speed, "m/s");
     private static readonly NumberRange s_spin = new(-Limits.Spin, Limits.Spin, "rad/s");
 
-    /// <summary>Those of a launch.</summary>
+    /// <summary>The numbers of a launch.</summary>
     public static IReadOnlyList<DirectField> OfLaunch { get; } =
     [
         new("launch.speed", "speed", "m/s", FootballPhysics.Scenarios.KickNumbers.Speeds, (15, 35)),
@@ -48,7 +48,7 @@ internal sealed record DirectField(string Path, string Column, string Unit, Numb
         .. Components("launch.spin", "rad/s", s_spin),
     ];
 
-    /// <summary>Those of an aim.</summary>
+    /// <summary>The numbers of an aim.</summary>
     public static IReadOnlyList<DirectField> OfAim { get; } =
     [
         new("aim.speed", "aim.speed", "m/s", new NumberRange(0, Limits.Speed, "m/s")),
@@ -58,7 +58,7 @@ internal sealed record DirectField(string Path, string Column, string Unit, Numb
         .. Components("aim.target", "m", s_place),
     ];
 
-    /// <summary>Three of them as a vector.</summary>
+    /// <summary>Returns three consecutive numbers as a vector.</summary>
     public static Vector3d Vector(ReadOnlySpan<double> numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2]);
 
     private static IEnumerable<DirectField> Components(string path, string unit, NumberRange allowed) =>

@@ -3,11 +3,11 @@ using FootballPhysics.Tool.Sweep.Output;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>Why shards cannot be put together.</summary>
+/// <summary>The reasons why shards cannot be merged.</summary>
 internal sealed class MergeFaults
 {
-    /// <summary>The maximum number of faults that are printed; of the others only the number is printed.</summary>
-    private const int MostTold = 20;
+    /// <summary>The maximum number of faults that are printed; the rest is only counted.</summary>
+    private const int MostPrinted = 20;
 
     private readonly List<string> _faults = [];
 
@@ -68,14 +68,14 @@ internal sealed class MergeFaults
 
     public void Print(TextWriter to)
     {
-        foreach (string fault in _faults.Take(MostTold))
+        foreach (string fault in _faults.Take(MostPrinted))
         {
             to.WriteLine($"football: {fault}");
         }
 
-        if (_faults.Count > MostTold)
+        if (_faults.Count > MostPrinted)
         {
-            to.WriteLine(FormattableString.Invariant($"football: and {_faults.Count - MostTold} more."));
+            to.WriteLine(FormattableString.Invariant($"football: and {_faults.Count - MostPrinted} more."));
         }
     }
 

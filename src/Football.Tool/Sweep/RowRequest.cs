@@ -3,19 +3,19 @@ using FootballPhysics.Scenarios.Input;
 namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>The requested columns of a row.</summary>
-/// <param name="Columns">The columns, in their order; none for those that there are by default.</param>
-/// <param name="Events">How many events of each flight.</param>
-/// <param name="Samples">Times of samples, s.</param>
+/// <param name="Columns">The names of the columns, in order; empty for the default columns.</param>
+/// <param name="Events">The number of events per flight.</param>
+/// <param name="Samples">The times of the samples, in s.</param>
 /// <param name="Hits">The names of the colliders whose hits are counted.</param>
 internal sealed record RowRequest(IReadOnlyList<string> Columns, int Events, IReadOnlyList<double> Samples, IReadOnlyList<string> Hits)
 {
     private const int MostEvents = 64;
     private const int MostSamples = 100_000;
 
-    /// <summary>Whether only a flight that is watched can tell.</summary>
+    /// <summary>True if the columns need the events or the path of a flight, not only its end.</summary>
     public bool WatchesFlight => Events > 0 || Samples.Count > 0 || Hits.Count > 0;
 
-    /// <summary>Reads it; the fields are still to be checked.</summary>
+    /// <summary>Reads the request. Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static RowRequest Take(InputObject root)
     {
         InputObject row = root.Object("row");

@@ -2,22 +2,22 @@ using System.Globalization;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>A part of a sweep: parts follow one another.</summary>
-/// <param name="Index">Which, from 1.</param>
-/// <param name="Of">How many there are.</param>
-/// <param name="Count">Rows of the whole sweep.</param>
+/// <summary>A part of a sweep: consecutive rows.</summary>
+/// <param name="Index">The index of the part, from 1.</param>
+/// <param name="Of">The number of parts.</param>
+/// <param name="Count">The number of rows of the complete sweep.</param>
 internal readonly record struct Shard(int Index, int Of, long Count)
 {
-    /// <summary>Its first row.</summary>
+    /// <summary>The index of the first row.</summary>
     public long First => (long)((Int128)Count * (Index - 1) / Of);
 
-    /// <summary>The row after its last.</summary>
+    /// <summary>The index after the last row.</summary>
     public long End => (long)((Int128)Count * Index / Of);
 
-    /// <summary>Rows that it has.</summary>
+    /// <summary>The number of rows.</summary>
     public long Rows => End - First;
 
-    /// <summary>Its folder among those of the other parts: their order is that of their names.</summary>
+    /// <summary>The name of the folder. The names of all parts sort in the order of the parts.</summary>
     public string Folder
     {
         get

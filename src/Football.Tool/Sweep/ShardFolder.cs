@@ -2,16 +2,15 @@ using FootballPhysics.Tool.Sweep.Output;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>A folder with a shard.</summary>
-/// <param name="Path">The folder.</param>
-/// <param name="Manifest">Its manifest.</param>
-/// <param name="IsDone">Whether that is all of the shard.</param>
+/// <summary>A folder that contains a shard.</summary>
+/// <param name="Path">The path of the folder.</param>
+/// <param name="Manifest">The manifest.</param>
+/// <param name="IsDone">True if the shard is complete.</param>
 internal sealed record ShardFolder(string Path, Manifest Manifest, bool IsDone)
 {
-    /// <summary>Its name.</summary>
     public string Name => System.IO.Path.GetFileName(Path);
 
-    /// <summary>Those in a folder, in the order of their names.</summary>
+    /// <summary>Returns the shards in a folder, in the order of their names.</summary>
     public static List<ShardFolder> All(string folder)
     {
         List<ShardFolder> found = [];

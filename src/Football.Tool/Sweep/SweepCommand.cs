@@ -9,10 +9,10 @@ using FootballPhysics.Tool.Sweep.Output;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>football sweep: draws launches or aims from ranges, flies or finds them, and writes a row each.</summary>
+/// <summary>football sweep: draws launches or aims from ranges, simulates or solves them, and writes one row each.</summary>
 internal static class SweepCommand
 {
-    /// <summary>The program and its version, which say which bytes it writes.</summary>
+    /// <summary>The program and its version, which determine the bytes of the output.</summary>
     private static string Program { get; } =
         $"football {typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "?"}";
 
@@ -114,7 +114,7 @@ internal static class SweepCommand
         return SweepInput.Read(one.Scenario ?? throw one.Refusal!, seed);
     }
 
-    /// <summary>Refuses a folder that would lose the input: one of its files is that, under whatever name.</summary>
+    /// <summary>Throws if an output in the folder would overwrite the input, under any name.</summary>
     private static void RefuseInput(string file, string folder, RowFormat format)
     {
         string[] names = [.. format.Files, Schema.Name, Manifest.Done, Manifest.Unfinished, Manifest.Done + Manifest.New, Manifest.Unfinished + Manifest.New];
@@ -126,7 +126,7 @@ internal static class SweepCommand
         "rows",
         progress =>
         {
-            // Parts one after the other have one header.
+            // The outputs of consecutive parts share one header, when joined.
             using var sink = new StreamSink(terminal.Output, shard.Index == 1 ? run.Format.Header(0, shard.Rows) : []);
             run.RunAsync(shard, sink, rows => progress.Report(rows, shard.Rows)).GetAwaiter().GetResult();
             return ExitCode.Done;

@@ -5,18 +5,18 @@ using FootballPhysics.Tool.Sweep.Ranges;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>Reads a sweep and checks all of it, so that no row is refused that could have been refused before the first.</summary>
+/// <summary>Reads a sweep and checks it as far as possible, so that errors appear before the first row.</summary>
 internal static class SweepInput
 {
-    /// <summary>Of a longer list only so many values, the last among them, are tried before the first row.</summary>
+    /// <summary>The maximum number of values of a list that are tried before the first row. The last value is tried in addition.</summary>
     private const int MostTried = 200;
 
     private static readonly string[][] s_vectors = [["air", "wind"], ["launch", "position"], ["launch", "velocity"], ["launch", "spin"]];
 
     /// <summary>Reads a sweep.</summary>
-    /// <param name="input">The input, its overrides in their places.</param>
+    /// <param name="input">The input, including its overrides.</param>
     /// <param name="seed">The seed.</param>
-    /// <exception cref="RefusedException">Something in it is not as it should be.</exception>
+    /// <exception cref="RefusedException">The input is invalid.</exception>
     public static SweepPlan Read(InputFields input, long seed)
     {
         var document = input.Document.ValueKind == JsonValueKind.Object ? JsonObject.Create(input.Document)! : [];
@@ -38,7 +38,7 @@ internal static class SweepInput
         });
         string text = JsonSerializer.Serialize(input.Document);
 
-        // Scenes of rows need neither, and are read again and again.
+        // The scenes of rows do not need these members, and are read many times.
         document.Remove("ranges");
         document.Remove("row");
         var plan = new SweepPlan(text, seed, document, scene, row, [.. drawn.Where(field => !scene.HasVectors || field.Direct is < DirectField.Kick or >= DirectField.KickNumbers || aims)]);
@@ -47,24 +47,24 @@ internal static class SweepInput
         return plan;
     }
 
-    /// <summary>Translates the library's error about a number, with the field as it was written.</summary>
+    /// <summary>Runs a function; translates an error of the library to the names and values of the input.</summary>
     public static T Refusing<T>(InputFields fields, Func<T> work)
     {
         try
         {
             return work();
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
         {
-            throw said;
+            throw translated;
         }
     }
 
-    /// <summary>A value that was drawn, as a part of an input.</summary>
+    /// <summary>Converts a value to a node of an input.</summary>
     public static JsonNode? Node(FieldRange range, FieldValue value) =>
         range is ChoiceRange choice ? FieldPlace.Node(choice.Values[value.Choice]) : JsonValue.Create(value.Number);
 
-    /// <summary>The numbers of a kick: each a number, a range, or the range that it has by default.</summary>
+    /// <summary>Reads the numbers of a kick: each is a number, a range, or the default range.</summary>
     private static void TakeKick(JsonObject document, List<DrawnField> drawn)
     {
         var launch = (JsonObject?)document["launch"];
@@ -107,15 +107,15 @@ internal static class SweepInput
         foreach ((string name, JsonNode? node) in ranges)
         {
             string path = FieldPath.Plain(name);
-            string said = $"ranges.{name}";
+            string label = $"ranges.{name}";
             JsonElement value = JsonSerializer.SerializeToElement(node);
             int number = direct.ToList().FindIndex(field => field.Path == path);
-            FieldRange? range = RangeInput.Read(said, value, number >= 0 ? direct[number].Allowed : null);
+            FieldRange? range = RangeInput.Read(label, value, number >= 0 ? direct[number].Allowed : null);
             IReadOnlyList<JsonElement> values = range is ChoiceRange choice ? choice.Values : [value];
             drawn.RemoveAll(field => field.Path == path || (before.Contains(field) && values.Any(set => Sets(set, path, field.Path))));
             MakeVector(document, path);
             JsonNode? first = range is null ? node?.DeepClone() : Node(range, range.Ends.First());
-            FieldPlace.Put(document, FieldPath.Split(path), first, said);
+            FieldPlace.Put(document, FieldPath.Split(path), first, label);
             if (range is not null)
             {
                 drawn.Add(new DrawnField(path, range, number));
@@ -123,7 +123,7 @@ internal static class SweepInput
         }
     }
 
-    /// <summary>Whether the value of a field says what another field within it is.</summary>
+    /// <summary>True if the value of a field contains the value of a nested field.</summary>
     private static bool Sets(JsonElement value, string path, string within)
     {
         if (!within.StartsWith(path + ".", StringComparison.Ordinal))
@@ -142,7 +142,7 @@ internal static class SweepInput
         return true;
     }
 
-    /// <summary>A vector that is zero where nothing is said has components all the same.</summary>
+    /// <summary>Adds a missing vector as zeros, so that its components can be set.</summary>
     private static void MakeVector(JsonObject document, string path)
     {
         foreach (string[] vector in s_vectors)
@@ -154,7 +154,7 @@ internal static class SweepInput
         }
     }
 
-    /// <summary>Tries the ends of every range in turn, all else as it is for the first.</summary>
+    /// <summary>Tries the bounds of each range, with the other fields at their first bound.</summary>
     private static void TryEnds(SweepPlan plan)
     {
         for (int i = 0; i < plan.SceneFields.Length; i++)
@@ -168,7 +168,7 @@ internal static class SweepInput
         }
     }
 
-    /// <summary>No launch flies yet, but everything that is the same for all of them is checked.</summary>
+    /// <summary>Checks everything that all launches of a scene share, without simulating a launch.</summary>
     private static bool Try(SweepPlan plan, SweepScene scene)
     {
         if (scene.Aim is { } aim)

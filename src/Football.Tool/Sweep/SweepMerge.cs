@@ -7,12 +7,12 @@ using FootballPhysics.Tool.Sweep.Output;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>football sweep merge: puts the shards of a folder together to the bytes that one process would have written.</summary>
+/// <summary>football sweep merge: merges the shards in a folder. The result is byte for byte that of a single process.</summary>
 internal sealed class SweepMerge
 {
     private const int Chunk = 1 << 20;
 
-    /// <summary>The suffix of the names of files that are not verified yet.</summary>
+    /// <summary>The suffix of the names of unverified files.</summary>
     private const string New = ".new";
 
     private readonly string _folder;
@@ -79,7 +79,7 @@ internal sealed class SweepMerge
             Manifest merged = WriteNew(shards, progress);
             if (!_faults.Any)
             {
-                // Nobody takes files of two merges for one.
+                // Delete the manifest first: without it, a mix of old and new files does not count as a complete sweep.
                 File.Delete(Path.Combine(_folder, Manifest.Done));
                 foreach (FileRecord file in merged.Files)
                 {
@@ -91,12 +91,12 @@ internal sealed class SweepMerge
         }
         finally
         {
-            // Not those of another merge that is under way.
+            // Delete only files of this merge: another merge may be running.
             _made.ForEach(File.Delete);
         }
     }
 
-    /// <summary>Writes the files of the whole under new names.</summary>
+    /// <summary>Writes the merged files under temporary names.</summary>
     private Manifest WriteNew(List<ShardFolder> shards, Progress progress)
     {
         Manifest first = shards[0].Manifest;
@@ -110,7 +110,7 @@ internal sealed class SweepMerge
             _made.Add(Path.Combine(_folder, first.Files[f].Name + New));
             foreach (ShardFolder shard in shards)
             {
-                // The schema is the same in all of them.
+                // All shards have the same schema.
                 bool copies = first.Files[f].Name != Schema.Name;
                 Copy(shard, shard.Manifest.Files[f], copies ? format.Footer(f, [shard.Manifest.Rows]).Length : 0, copies ? to : null);
                 done += shard.Manifest.Files[f].Bytes;
@@ -134,7 +134,7 @@ internal sealed class SweepMerge
             files);
     }
 
-    /// <summary>The header of the whole: that of the first shard, with the number of all rows.</summary>
+    /// <summary>Returns the header of the merged file: that of the first shard with the total number of rows.</summary>
     private static byte[] Header(ShardFolder shard, int file, Identity identity)
     {
         FileRecord record = shard.Manifest.Files[file];
@@ -144,7 +144,7 @@ internal sealed class SweepMerge
         return record.Name.EndsWith(".npy", StringComparison.Ordinal) ? NumpyHeader.WithRows(header, identity.Count) : header;
     }
 
-    /// <summary>Copies the rows between the header and the footer, and checks their hash.</summary>
+    /// <summary>Copies the rows between the header and the footer, and checks the hash.</summary>
     private void Copy(ShardFolder shard, FileRecord record, int footer, DataFile? to)
     {
         using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));

@@ -8,12 +8,12 @@ namespace FootballPhysics.Tool.Sweep;
 /// <summary>A sweep: the common values of its rows, the random fields and the columns.</summary>
 internal sealed class SweepPlan
 {
-    /// <summary>Scenes that are flown in lanes side by side; of more the balls are flown one by one.</summary>
+    /// <summary>The maximum number of scenes for SIMD batches. With more scenes, flights are simulated one by one.</summary>
     private const int MostLaneScenes = 64;
 
     private const double MostGridPoints = 1e15;
 
-    /// <summary>Of the fields under stop and solver those that lanes take as they come.</summary>
+    /// <summary>The fields under stop and solver that SIMD batches support.</summary>
     private static readonly string[] s_ofLanes = ["stop.time", "solver.integrator", "solver.timeStep", "solver.precision"];
 
     private readonly JsonObject _document;
@@ -37,7 +37,7 @@ internal sealed class SweepPlan
 
     public long Seed { get; }
 
-    /// <summary>The scene of all rows, or of those with the first value of each range.</summary>
+    /// <summary>The scene of all rows. If ranges change the scene, it has the first value of each range.</summary>
     public SweepScene Scene { get; }
 
     public RowRequest Row { get; }
@@ -45,30 +45,30 @@ internal sealed class SweepPlan
     /// <summary>The random fields.</summary>
     public IReadOnlyList<DrawnField> Fields { get; }
 
-    /// <summary>Which of the fields are no numbers of a launch or an aim: rows with other values have other scenes.</summary>
+    /// <summary>The indices of fields that are not numbers of a launch or an aim. Rows with other values of these fields have other scenes.</summary>
     public int[] SceneFields { get; }
 
-    /// <summary>Which field draws a number of a launch or an aim; −1 for none.</summary>
+    /// <summary>For each number of a launch or an aim, the index of its random field; −1 for none.</summary>
     public int[] FieldOf { get; }
 
-    /// <summary>The random numbers of each field.</summary>
+    /// <summary>The random number key of each field.</summary>
     public ulong[] Streams { get; }
 
-    /// <summary>How many scenes there are; infinitely many where a field of them is drawn from numbers without gaps.</summary>
+    /// <summary>The number of different scenes; infinite if a field of the scene has a continuous range.</summary>
     public double Scenes => SceneFields.Aggregate(1.0, (product, i) => product * ((Fields[i].Range as ChoiceRange)?.Values.Count ?? double.PositiveInfinity));
 
-    /// <summary>Names of all things that scenes of rows have, those of <see cref="Scene"/> first.</summary>
+    /// <summary>The names of all colliders in scenes of rows; those of <see cref="Scene"/> come first.</summary>
     public List<string> Things { get; } = [];
 
-    /// <summary>Whether scenes of rows have goals.</summary>
+    /// <summary>True if scenes of rows contain goals.</summary>
     public bool HasGoals { get; private set; }
 
-    /// <summary>Whether the balls are flown many at a time: no row asks for more than the first impact.</summary>
+    /// <summary>True if flights are simulated in SIMD batches. This requires that no row needs data after the first impact.</summary>
     public bool FliesInLanes =>
         Scene.Aim is null && !SceneFields.Any(i => MayLeaveLanes(Fields[i])) && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
         && BallBatch.SupportsSimd(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
 
-    /// <summary>Whether the kicks are found many at a time: low ones, at a target that lies still, whenever and however fast they get there.</summary>
+    /// <summary>True if kicks are found in SIMD batches. This requires low kicks at a fixed target with any time and speed of arrival.</summary>
     public bool AimsInLanes =>
         Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Waypoint: null, SpinIsFree: false, Arc: AimArc.Low } request }
         && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.SupportsSimd(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
@@ -78,15 +78,15 @@ internal sealed class SweepPlan
     /// <param name="things">The names of its colliders.</param>
     public void Meet(SweepScene scene, IReadOnlyList<string> things)
     {
-        // In the scene of all rows things may share a name.
+        // In the scene of all rows, colliders can share a name.
         Things.AddRange(Things.Count == 0 ? things : things.Except(Things));
         HasGoals |= scene.Scene.Goals.Count > 0;
     }
 
-    /// <summary>Makes use of a scene that has values of its own in some fields.</summary>
+    /// <summary>Builds a scene with the given values, and calls a function with it.</summary>
     /// <param name="value">The value of each of <see cref="SceneFields"/>.</param>
-    /// <param name="use">Makes use of it.</param>
-    /// <exception cref="RefusedException">It is refused.</exception>
+    /// <param name="use">The function.</param>
+    /// <exception cref="RefusedException">The scene is invalid.</exception>
     public T With<T>(Func<int, FieldValue> value, Func<SweepScene, T> use)
     {
         JsonNode document = _document.DeepClone();
@@ -107,7 +107,7 @@ internal sealed class SweepPlan
 
     private static bool MayLeaveLanes(DrawnField field) => field.Parts[0] is "stop" or "solver" ? !s_ofLanes.Contains(field.Path) : field.Parts is ["launch"] or ["launch", "orientation", ..];
 
-    /// <summary>The last grid changes from row to row, each before it whenever all after it have been gone through.</summary>
+    /// <summary>Sets the strides of grids: the last grid changes from row to row, each other grid when the grids after it have run through.</summary>
     private void SetStrides()
     {
         double stride = 1;

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Output;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>Tells how far a sweep is: a bar in a terminal; a line now and then in the log of a job that nobody watches.</summary>
+/// <summary>Shows the progress of a sweep: as a bar in a terminal, and as a line every 30 s in a log.</summary>
 internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink sink, long rows)
 {
     private static readonly TimeSpan s_untilLine = TimeSpan.FromSeconds(30);
@@ -16,7 +16,7 @@ internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink 
 
     private double Rate => (sink.Rows - _before) / _clock.Elapsed.TotalSeconds;
 
-    /// <summary>So many rows are there.</summary>
+    /// <summary>Shows the number of rows written.</summary>
     public void Show(long done)
     {
         progress.Report(done - _before, rows - _before);
@@ -27,9 +27,9 @@ internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink 
         }
     }
 
-    /// <summary>A one-line summary of the run.</summary>
-    /// <param name="folder">Where the rows are.</param>
-    /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
+    /// <summary>Returns a one-line summary of the run.</summary>
+    /// <param name="folder">The folder of the rows.</param>
+    /// <param name="countsHandedOn">True to count the rows that the SIMD batch passes to the scalar simulation.</param>
     public string Line(string folder, bool countsHandedOn)
     {
         string how = sink.Rows == _before

@@ -8,10 +8,12 @@ using FootballPhysics.Tool.Sweep.Rows;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>Makes the rows of a sweep on several threads, and hands them on in order; however many there are, only a few are in memory.</summary>
+/// <summary>
+/// Computes the rows of a sweep on several threads, and writes them in order. It holds only a few rows in memory, regardless of their total number.
+/// </summary>
 internal sealed class SweepRun
 {
-    /// <summary>Chunks that may wait for one before them, per thread.</summary>
+    /// <summary>The maximum number of chunks in progress, per thread. Chunks wait for earlier ones.</summary>
     private const int Ahead = 2;
 
     private readonly SweepPlan _plan;
@@ -20,10 +22,10 @@ internal sealed class SweepRun
     private readonly ConcurrentBag<RowMaker> _makers = [];
     private readonly ConcurrentBag<RowChunk> _chunks = [];
 
-    /// <summary>Prepares.</summary>
+    /// <summary>Creates a run.</summary>
     /// <param name="plan">The sweep.</param>
-    /// <param name="format">The format's name.</param>
-    /// <param name="jobs">How many threads.</param>
+    /// <param name="format">The name of the format.</param>
+    /// <param name="jobs">The number of threads.</param>
     public SweepRun(SweepPlan plan, string format, int jobs)
     {
         _plan = plan;
@@ -35,25 +37,24 @@ internal sealed class SweepRun
         _rows = Format.RowsAtOnce(Columns.Sum(column => column.Size * sizeof(double)));
     }
 
-    /// <summary>The columns.</summary>
     public IReadOnlyList<Column> Columns { get; }
 
-    /// <summary>How rows are written.</summary>
+    /// <summary>The file format.</summary>
     public RowFormat Format { get; }
 
-    /// <summary>Whether lanes hand rows to the single ball.</summary>
+    /// <summary>True if the output counts the rows that the SIMD batch passes to the scalar simulation.</summary>
     public bool CountsHandedOn { get; }
 
-    /// <summary>Makes the rows that a sink has not.</summary>
+    /// <summary>Computes the rows that a sink does not contain yet.</summary>
     /// <param name="shard">The part of the sweep.</param>
-    /// <param name="sink">Where they go.</param>
-    /// <param name="report">Told how many the sink has.</param>
+    /// <param name="sink">The destination.</param>
+    /// <param name="report">Receives the number of rows in the sink.</param>
     public async Task RunAsync(Shard shard, RowSink sink, Action<long> report)
     {
         var work = new TransformBlock<long, RowChunk>(
             from => Make(from, (int)Math.Min(_rows, shard.End - from)),
             new ExecutionDataflowBlockOptions { MaxDegreeOfParallelism = _jobs, BoundedCapacity = _jobs * Ahead, SingleProducerConstrained = true });
-        Task asking = AskAsync(shard.First + sink.Rows, shard.End, work);
+        Task scheduling = ScheduleAsync(shard.First + sink.Rows, shard.End, work);
         try
         {
             await foreach (RowChunk chunk in work.ReceiveAllAsync().ConfigureAwait(false))
@@ -65,16 +66,16 @@ internal sealed class SweepRun
         }
         finally
         {
-            // If writing failed, no more rows are needed.
+            // If writing failed, schedule no further rows.
             work.Complete();
         }
 
         await work.Completion.ConfigureAwait(false);
-        await asking.ConfigureAwait(false);
+        await scheduling.ConfigureAwait(false);
         sink.Finish();
     }
 
-    private async Task AskAsync(long from, long end, TransformBlock<long, RowChunk> work)
+    private async Task ScheduleAsync(long from, long end, TransformBlock<long, RowChunk> work)
     {
         while (from < end && await work.SendAsync(from).ConfigureAwait(false))
         {

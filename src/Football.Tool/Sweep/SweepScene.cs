@@ -23,30 +23,29 @@ internal sealed record SweepScene
 
     public SweepStop StopAt { get; init; }
 
-    /// <summary>The plane that ends a flight, where one does.</summary>
+    /// <summary>The plane at which a flight ends; null for none.</summary>
     public Plane3d? Plane { get; init; }
 
     public double Duration { get; init; }
 
-    /// <summary>The numbers of <see cref="DirectField.OfLaunch"/> or <see cref="DirectField.OfAim"/>.</summary>
+    /// <summary>The values of <see cref="DirectField.OfLaunch"/> or <see cref="DirectField.OfAim"/>.</summary>
     public required double[] Numbers { get; init; }
 
-    /// <summary>Whether a launch is said as velocity and spin, else as a kick.</summary>
+    /// <summary>True if a launch is given by velocity and spin; false if by speed and angles.</summary>
     public bool HasVectors { get; init; }
 
     /// <summary>The orientation at the launch; null if not given.</summary>
     public Quaterniond? Orientation { get; init; }
 
-    /// <summary>The cameras that see the samples.</summary>
+    /// <summary>The cameras that observe the samples.</summary>
     public IReadOnlyList<CameraView> Cameras { get; init; } = [];
 
     /// <summary>The aim; null if the sweep simulates launches.</summary>
     public AimScenario? Aim { get; init; }
 
-    /// <summary>The settings of a batch.</summary>
     public BatchSettings BatchSettings => new() { Integrator = Solver.Integrator, TimeStep = TimeStep, Precision = Precision, FindApex = true };
 
-    /// <summary>Reads it; the fields are still to be checked.</summary>
+    /// <summary>Reads the common values. Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static SweepScene Take(InputObject root)
     {
         foreach (string member in s_ownMembers)
@@ -122,6 +121,6 @@ internal sealed record SweepScene
         return plane.Make(() => new PlaneBox(new Plane3d(point, normal)))?.Plane;
     }
 
-    /// <summary>A plane as an object.</summary>
+    /// <summary>A plane as a reference type.</summary>
     private sealed record PlaneBox(Plane3d Plane);
 }

@@ -4,22 +4,22 @@ namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>The values of a column for some rows.</summary>
 /// <param name="column">The column.</param>
-/// <param name="capacity">How many rows there is room for.</param>
+/// <param name="capacity">The maximum number of rows.</param>
 internal sealed class ColumnData(Column column, int capacity)
 {
     public Column Column { get; } = column;
 
-    /// <summary>Doubles, row after row.</summary>
+    /// <summary>The values of a column of real numbers, row by row.</summary>
     public double[] Reals { get; } = column.Kind == ColumnKind.Real ? new double[capacity * column.Size] : [];
 
-    /// <summary>Whole numbers, row after row.</summary>
+    /// <summary>The values of a column of whole numbers, row by row.</summary>
     public long[] Wholes { get; } = column.Kind == ColumnKind.Whole ? new long[capacity * column.Size] : [];
 
-    /// <summary>Places among the words, row after row.</summary>
+    /// <summary>The values of a column of words, row by row: indices into <see cref="Column.Words"/>.</summary>
     public byte[] Words { get; } = column.Kind == ColumnKind.Word ? new byte[capacity * column.Size] : [];
 
     /// <summary>Sets a vector.</summary>
-    /// <param name="place">Which, counted in vectors from the first row on.</param>
+    /// <param name="place">The index of the vector, counted from the first row.</param>
     /// <param name="vector">The vector.</param>
     public void Set(int place, in Vector3d vector)
     {
@@ -28,7 +28,7 @@ internal sealed class ColumnData(Column column, int capacity)
         Reals[(3 * place) + 2] = vector.Z;
     }
 
-    /// <summary>The values of the first rows as they lie in memory.</summary>
+    /// <summary>Returns the values of the first rows, as stored in memory.</summary>
     public ReadOnlySpan<byte> Bytes(int rows) => Column.Kind switch
     {
         ColumnKind.Real => MemoryMarshal.AsBytes(Reals.AsSpan(0, rows * Column.Size)),

@@ -3,12 +3,12 @@ namespace FootballPhysics.Tool.Sweep.Columns;
 /// <summary>The type of the values of a column.</summary>
 internal enum ColumnKind
 {
-    /// <summary>Doubles; not a number where there is no value.</summary>
+    /// <summary>64-bit floating-point numbers; NaN for a missing value.</summary>
     Real,
 
-    /// <summary>Whole numbers of 64 bits.</summary>
+    /// <summary>64-bit whole numbers.</summary>
     Whole,
 
-    /// <summary>One of some words, as its place among them in a byte.</summary>
+    /// <summary>Words, stored as their index in one byte.</summary>
     Word,
 }

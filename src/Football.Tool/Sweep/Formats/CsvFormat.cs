@@ -5,10 +5,10 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>A line of names, then one line of values per row (RFC 4180); a missing number is empty.</summary>
+/// <summary>CSV (RFC 4180): a line of names, then one line of values per row. A missing number is empty.</summary>
 internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
 {
-    /// <summary>Bytes that a number needs at most.</summary>
+    /// <summary>The maximum length of a number, in bytes.</summary>
     private const int LongestNumber = 32;
 
     private readonly byte[][][] _words = [.. columns.Select(column => column.Words.Select(word => Encoding.UTF8.GetBytes(Quoted(word))).ToArray())];
@@ -67,7 +67,7 @@ internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
         text.Advance(written);
     }
 
-    /// <summary>A word as a cell. One that a spreadsheet would take for a formula has an apostrophe before it, as spreadsheets write it themselves.</summary>
+    /// <summary>Returns a word as a cell. A word that a spreadsheet would read as a formula gets an apostrophe in front, as in spreadsheets.</summary>
     private static string Quoted(string word)
     {
         string text = word.Length > 0 && "=+-@\t\r".Contains(word[0], StringComparison.Ordinal) ? "'" + word : word;

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>One JSON object per line; a missing number is null.</summary>
+/// <summary>JSON: one object per line. A missing number is null.</summary>
 internal sealed class NdjsonFormat : RowFormat
 {
     private static readonly JsonWriterOptions s_options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };

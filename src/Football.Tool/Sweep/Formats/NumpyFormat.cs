@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>A file a column, as NumPy writes arrays: the first axis is the row's.</summary>
+/// <summary>One NumPy array file per column. The first axis of the array is the row.</summary>
 internal sealed class NumpyFormat(IReadOnlyList<Column> columns) : RowFormat
 {
     public override string Name => "npy";

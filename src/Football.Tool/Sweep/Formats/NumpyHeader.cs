@@ -4,17 +4,17 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>The header of a .npy file, version 1.0: eight bytes of magic and version, a length of two, and a Python dictionary.</summary>
+/// <summary>The header of a .npy file, version 1.0: magic number and version in eight bytes, a length in two bytes, and a Python dictionary.</summary>
 internal static class NumpyHeader
 {
-    /// <summary>The data begin at a multiple of this.</summary>
+    /// <summary>The alignment of the data, in bytes.</summary>
     private const int Alignment = 64;
 
     private const string Shape = "'shape': (";
 
     private static ReadOnlySpan<byte> Magic => [0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0];
 
-    /// <summary>NumPy's name of a kind of values, little-endian.</summary>
+    /// <summary>Returns NumPy's name of a type, little-endian.</summary>
     public static string TypeOf(ColumnKind kind) => kind switch
     {
         ColumnKind.Real => "<f8",
@@ -22,16 +22,16 @@ internal static class NumpyHeader
         _ => "|u1",
     };
 
-    /// <summary>Bytes of a value.</summary>
+    /// <summary>Returns the size of a value, in bytes.</summary>
     public static int BytesOf(ColumnKind kind) => kind == ColumnKind.Word ? 1 : 8;
 
-    /// <summary>The header of a column.</summary>
+    /// <summary>Returns the header of a column.</summary>
     public static byte[] Of(Column column, long rows) => Of(
         $"{{'descr': '{TypeOf(column.Kind)}', 'fortran_order': False, {Shape}",
         rows,
         $",{string.Join(",", column.Axes.Select(axis => string.Create(CultureInfo.InvariantCulture, $" {axis.Count}")))}), }}");
 
-    /// <summary>The same header for another number of rows.</summary>
+    /// <summary>Returns the same header for another number of rows.</summary>
     public static byte[] WithRows(ReadOnlySpan<byte> header, long rows)
     {
         string text = Encoding.Latin1.GetString(header[(Magic.Length + 2)..]).TrimEnd();

@@ -6,19 +6,20 @@ using FootballPhysics.Tool.Sweep.Columns;
 namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>
-/// One Parquet file: a column for each number of a row, words as text by a dictionary. Values lie as they are, in row groups of a fixed number of rows, so that every length follows from the
-/// number of rows alone: rows are appended to a file, and the footer, which has the places of all, is made of their number.
+/// One Parquet file. Each element of a row has a column; words are text with a dictionary. Values are not compressed, and row groups have a fixed
+/// number of rows. So the number of rows determines all lengths and the footer with all offsets, and rows can be appended.
 /// </summary>
 /// <remarks>
-/// Format: parquet.apache.org/docs/file-format. A row group has a page a column: DOUBLE and INT64 PLAIN, words RLE_DICTIONARY in one bit-packed run of eight bits, behind their dictionary's page. Nothing
-/// is compressed, and nothing is null: a missing number is NaN. The metadata hold schema.json.
-/// Parquet.Net 6.1.0 cannot keep the promises of a folder. It writes the metadata of all row groups when its writer ends, and refuses to append to a file that was killed before ("not a parquet
-/// file"). Here the footer follows from the number of rows, so a file goes on from any checkpoint, has its length told before the first row, and shards are put together without being read.
-/// Row groups are made by several threads; a writer of Parquet.Net takes them from one. Of random doubles Snappy saves 7 %.
+/// Format: parquet.apache.org/docs/file-format. A row group has one page per column: DOUBLE and INT64 as PLAIN, words as RLE_DICTIONARY in one
+/// bit-packed run of eight bits, after the page of their dictionary. Nothing is compressed or null: a missing number is NaN. The metadata contain
+/// schema.json. Parquet.Net 6.1.0 does not fit here. It writes the metadata of all row groups when its writer ends. It refuses to append to a file
+/// whose writer was killed ("not a parquet file"). Its writer takes row groups from one thread only. This class writes row groups of several threads,
+/// and continues a file from any checkpoint. It computes the length of a file before the first row, and merges shards without reading their rows.
+/// Snappy would save 7 % of random doubles.
 /// </remarks>
 internal sealed class ParquetFormat : RowFormat
 {
-    /// <summary>Rows of a row group.</summary>
+    /// <summary>The number of rows in a row group.</summary>
     public const int GroupRows = 32_768;
 
     private const int TypeWhole = 2;
@@ -30,7 +31,7 @@ internal sealed class ParquetFormat : RowFormat
     private const int PageData = 0;
     private const int PageDictionary = 2;
 
-    /// <summary>The key of the metadata that holds the schema, with units and meanings: schema.json.</summary>
+    /// <summary>The metadata key of the schema with units and meanings (schema.json).</summary>
     private const string SchemaKey = "schema";
 
     private readonly IReadOnlyList<Column> _columns;
@@ -113,7 +114,7 @@ internal sealed class ParquetFormat : RowFormat
 
     private static ReadOnlySpan<byte> Magic => "PAR1"u8;
 
-    /// <summary>Rows of each row group of files that were put together of parts.</summary>
+    /// <summary>Returns the number of rows in each row group of a merged file.</summary>
     private static IEnumerable<int> Groups(IReadOnlyList<long> parts)
     {
         foreach (long part in parts)
@@ -125,7 +126,7 @@ internal sealed class ParquetFormat : RowFormat
         }
     }
 
-    /// <summary>A column in the schema; null is the root.</summary>
+    /// <summary>Writes a column of the schema; null for the root.</summary>
     private void Schema(ThriftWriter to, Leaf? leaf)
     {
         if (leaf is null)
@@ -134,11 +135,11 @@ internal sealed class ParquetFormat : RowFormat
             return;
         }
 
-        // Required.
+        // The repetition type REQUIRED (0).
         to.Number(1, leaf.Type).Number(3, 0).Text(4, leaf.Name);
         if (leaf.Column.Kind == ColumnKind.Word)
         {
-            // UTF8.
+            // The converted type UTF8 (0).
             to.Number(6, 0);
         }
     }
@@ -181,7 +182,7 @@ internal sealed class ParquetFormat : RowFormat
 
     private int Body(int rows) => _leaves.Sum(leaf => Length(leaf, rows));
 
-    /// <summary>Bytes of a column in a row group.</summary>
+    /// <summary>Returns the length of a column in a row group, in bytes.</summary>
     private static int Length(Leaf leaf, int rows) => leaf.Dictionary.Length + PageHeader(leaf, rows).Length + PageBytes(leaf, rows);
 
     private static int PageBytes(Leaf leaf, int rows)
@@ -195,8 +196,8 @@ internal sealed class ParquetFormat : RowFormat
         return WordsBegin(header, rows) + (8 * ((rows + 7) / 8));
     }
 
-    /// <summary>Bits of an index, and the length of the run in groups of eight, whose lowest bit says that they are packed.</summary>
-    /// <returns>Where the indices begin.</returns>
+    /// <summary>Writes the bit width of an index and the length of the run. The length counts groups of eight; its lowest bit marks a bit-packed run.</summary>
+    /// <returns>The offset of the indices.</returns>
     private static int WordsBegin(Span<byte> page, int rows)
     {
         page[0] = 8;
@@ -218,7 +219,7 @@ internal sealed class ParquetFormat : RowFormat
         .Struct(5, page => page.Number(1, rows).Number(2, leaf.Column.Kind == ColumnKind.Word ? EncodingDictionary : EncodingPlain).Number(3, EncodingLevels).Number(4, EncodingLevels))
         .End();
 
-    /// <summary>The page with the words of a column; empty where it has none.</summary>
+    /// <summary>Returns the page with the words of a column; empty for a column without words.</summary>
     private static byte[] Dictionary(Column column)
     {
         if (column.Kind != ColumnKind.Word)
@@ -244,12 +245,12 @@ internal sealed class ParquetFormat : RowFormat
         return [.. header, .. words.WrittenSpan];
     }
 
-    /// <summary>A column of the file: a number of a column's value.</summary>
-    /// <param name="Name">Its name.</param>
+    /// <summary>A column of the file: one element of a column's value.</summary>
+    /// <param name="Name">The name.</param>
     /// <param name="Column">The column.</param>
-    /// <param name="Index">Which of the columns.</param>
-    /// <param name="Place">Which of the numbers of a row.</param>
-    /// <param name="Dictionary">The page of the words, with its header.</param>
+    /// <param name="Index">The index of the column.</param>
+    /// <param name="Place">The index of the element.</param>
+    /// <param name="Dictionary">The page of the words with its header.</param>
     private sealed record Leaf(string Name, Column Column, int Index, int Place, byte[] Dictionary)
     {
         public int Type => Column.Kind switch

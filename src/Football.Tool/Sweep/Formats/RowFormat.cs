@@ -4,19 +4,18 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>How rows are written.</summary>
+/// <summary>A file format for rows.</summary>
 internal abstract class RowFormat
 {
-    /// <summary>The formats' names, the default first.</summary>
+    /// <summary>The names of the formats; the first is the default.</summary>
     public static IReadOnlyList<string> Names { get; } = ["ndjson", "csv", "npy", "parquet"];
 
-    /// <summary>The format's name.</summary>
     public abstract string Name { get; }
 
-    /// <summary>Names of the files.</summary>
+    /// <summary>The names of the files.</summary>
     public abstract IReadOnlyList<string> Files { get; }
 
-    /// <summary>Makes a format by its name.</summary>
+    /// <summary>Creates a format by its name.</summary>
     public static RowFormat Create(string name, IReadOnlyList<Column> columns) => name switch
     {
         "ndjson" => new NdjsonFormat(),
@@ -26,29 +25,29 @@ internal abstract class RowFormat
         _ => throw new RefusedException("--format", Quote.Short(name), string.Join(" | ", Names)),
     };
 
-    /// <summary>The file of a column.</summary>
+    /// <summary>Returns the name of the file that contains a column.</summary>
     public abstract string FileOf(Column column);
 
-    /// <summary>The header of a file.</summary>
-    /// <param name="file">Which of <see cref="Files"/>.</param>
-    /// <param name="rows">Rows that will follow.</param>
+    /// <summary>Returns the header of a file.</summary>
+    /// <param name="file">The index in <see cref="Files"/>.</param>
+    /// <param name="rows">The number of rows that will follow.</param>
     public abstract byte[] Header(int file, long rows);
 
-    /// <summary>How many rows a thread makes and writes at a time: about a megabyte, and at most 4 096.</summary>
-    /// <param name="bytes">Bytes of a row.</param>
+    /// <summary>Returns the number of rows that a thread computes and writes at a time: about one megabyte, at most 4096 rows.</summary>
+    /// <param name="bytes">The size of a row, in bytes.</param>
     public virtual int RowsAtOnce(int bytes) => Math.Clamp((1 << 20) / bytes, 1, 4096);
 
-    /// <summary>The footer of a complete file.</summary>
-    /// <param name="file">Which of <see cref="Files"/>.</param>
-    /// <param name="parts">Rows of each part that the file was put together of: one, but for merged shards.</param>
+    /// <summary>Returns the footer of a complete file.</summary>
+    /// <param name="file">The index in <see cref="Files"/>.</param>
+    /// <param name="parts">The number of rows in each part of a merged file; one part if the file is not merged.</param>
     public virtual byte[] Footer(int file, IReadOnlyList<long> parts) => [];
 
-    /// <summary>The total size of all files in bytes; null if it is unknown before they are written.</summary>
+    /// <summary>Returns the total size of all files, in bytes; null if it is unknown before they are written.</summary>
     public abstract long? Bytes(long rows);
 
     /// <summary>Writes rows.</summary>
-    /// <param name="columns">Their values.</param>
-    /// <param name="rows">How many.</param>
-    /// <param name="to">One for each of <see cref="Files"/>.</param>
+    /// <param name="columns">The values.</param>
+    /// <param name="rows">The number of rows.</param>
+    /// <param name="to">The buffer of each of <see cref="Files"/>.</param>
     public abstract void Write(IReadOnlyList<ColumnData> columns, int rows, IReadOnlyList<ArrayBufferWriter<byte>> to);
 }

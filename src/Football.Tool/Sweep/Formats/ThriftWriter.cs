@@ -3,7 +3,10 @@ using System.Text;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>Writes structures as Thrift's compact protocol does, which Parquet's headers and footers are in: fields in ascending order, each with its type and its distance from the one before.</summary>
+/// <summary>
+/// Writes structures in Thrift's compact protocol, for Parquet's headers and footers. Fields are in ascending order, each with its type and the
+/// difference of its number from that of the field before.
+/// </summary>
 internal sealed class ThriftWriter
 {
     private const int Whole32 = 5;
@@ -40,7 +43,7 @@ internal sealed class ThriftWriter
         return this;
     }
 
-    /// <summary>A structure that is a field.</summary>
+    /// <summary>Writes a structure as a field.</summary>
     public ThriftWriter Struct(int field, Action<ThriftWriter> members)
     {
         Field(field, Structure);
@@ -48,7 +51,7 @@ internal sealed class ThriftWriter
         return this;
     }
 
-    /// <summary>A list of structures.</summary>
+    /// <summary>Writes a list of structures.</summary>
     public ThriftWriter Structs<T>(int field, IReadOnlyList<T> items, Action<ThriftWriter, T> members)
     {
         Begin(field, items.Count, Structure);
@@ -105,7 +108,7 @@ internal sealed class ThriftWriter
 
     private void Field(int field, int type)
     {
-        // All fields of Parquet's structures are within 15 of the one before.
+        // The field numbers of Parquet's structures differ by at most 15 from that of the field before.
         Byte((byte)(((field - _last) << 4) | type));
         _last = field;
     }

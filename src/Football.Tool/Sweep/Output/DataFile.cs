@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>A growing file and the hash of its content.</summary>
+/// <summary>A file that grows, and the hash of its content.</summary>
 internal sealed class DataFile : IDisposable
 {
     private const int Chunk = 1 << 20;
@@ -20,13 +20,14 @@ internal sealed class DataFile : IDisposable
         _header = header;
     }
 
-    /// <summary>The present length and hash.</summary>
+    /// <summary>The current length and hash.</summary>
     public FileRecord Record => new(_name, _stream.Position, _header, Convert.ToHexStringLower(_hash.GetCurrentHash()));
 
-    /// <summary>Makes a file, or begins again what there is.</summary>
+    /// <summary>Creates a file, or truncates an existing one, and writes the header.</summary>
     public static DataFile Create(string folder, string name, byte[] header)
     {
-        // Who holds it is not disturbed. What other names the file has keep what is in it: it may be the input of somebody.
+        // Opening the file fails if another process writes it. The file is then deleted and created again, so that other hard links keep their
+        // content: it may be an input of another program.
         Open(folder, name, FileMode.OpenOrCreate).Dispose();
         string path = Path.Combine(folder, name);
         if (new FileInfo(path).LinkTarget is null)
@@ -39,8 +40,8 @@ internal sealed class DataFile : IDisposable
         return file;
     }
 
-    /// <summary>Continues after the part that a record confirms; later bytes are discarded.</summary>
-    /// <exception cref="RefusedException">What there should be is not there.</exception>
+    /// <summary>Opens a file to continue after the part that a record confirms. Later bytes are discarded.</summary>
+    /// <exception cref="RefusedException">The file does not match the record.</exception>
     public static DataFile Continue(string folder, FileRecord record)
     {
         var file = new DataFile(Open(folder, record.Name, FileMode.OpenOrCreate), record.Name, record.Header);
@@ -63,7 +64,7 @@ internal sealed class DataFile : IDisposable
         return file;
     }
 
-    /// <summary>The SHA-256 of a file, in hexadecimal digits.</summary>
+    /// <summary>Returns the SHA-256 of a file, in hexadecimal digits.</summary>
     public static string HashOf(string path)
     {
         using FileStream from = File.OpenRead(path);
@@ -76,7 +77,7 @@ internal sealed class DataFile : IDisposable
         _hash.AppendData(bytes);
     }
 
-    /// <summary>Waits until all of it is on the disk.</summary>
+    /// <summary>Waits until the content is on the disk.</summary>
     public void FlushToDisk() => _stream.Flush(flushToDisk: true);
 
     public void Dispose()
@@ -85,7 +86,7 @@ internal sealed class DataFile : IDisposable
         _hash.Dispose();
     }
 
-    /// <summary>Nobody else writes it meanwhile.</summary>
+    /// <summary>Opens a file so that no other process can write it.</summary>
     private static FileStream Open(string folder, string name, FileMode mode) =>
         new(Path.Combine(folder, name), mode, FileAccess.ReadWrite, FileShare.None, bufferSize: 0);
 }

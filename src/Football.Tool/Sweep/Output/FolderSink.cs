@@ -7,7 +7,7 @@ namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>
 /// Writes rows to the files of a folder. A checkpoint records the confirmed length of each file; a run after an interruption continues there. The
-/// manifest replaces it when all rows are written.
+/// manifest replaces the checkpoint when all rows are written.
 /// </summary>
 internal sealed class FolderSink : RowSink
 {
@@ -37,19 +37,19 @@ internal sealed class FolderSink : RowSink
         _lastCheckpoint = time.GetTimestamp();
     }
 
-    /// <summary>Whether all rows were there before.</summary>
+    /// <summary>True if all rows existed before this run.</summary>
     public bool WasDone { get; private set; }
 
-    /// <summary>Opens a folder: a new one, or one that an interrupted run of the same sweep has left.</summary>
+    /// <summary>Opens a folder: a new one, or one of an interrupted run of the same sweep.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="identity">The sweep.</param>
-    /// <param name="shard">The part of it.</param>
-    /// <param name="format">How rows are written.</param>
+    /// <param name="shard">The part of the sweep.</param>
+    /// <param name="format">The file format.</param>
     /// <param name="schema">The schema of the columns.</param>
-    /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
+    /// <param name="countsHandedOn">True to count the rows that the SIMD batch passes to the scalar simulation.</param>
     /// <param name="time">The clock by which checkpoints are due.</param>
-    /// <param name="verifies">Whether the bytes of a folder that is done are read and hashed.</param>
-    /// <exception cref="RefusedException">The folder holds something else, or has no room.</exception>
+    /// <param name="verifies">True to read a finished folder and check its hashes. Default false.</param>
+    /// <exception cref="RefusedException">The folder contains other files, or the disk is too full.</exception>
     public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time, bool verifies = false)
     {
         try
@@ -99,7 +99,7 @@ internal sealed class FolderSink : RowSink
     }
 
     /// <summary>
-    /// Says what there is: an interrupted run goes on from here. Nobody waits for the disk: what a power cut has taken is found by its hash.
+    /// Writes a checkpoint, from which an interrupted run continues. It does not wait for the disk: after a power cut, the hash reveals lost bytes.
     /// </summary>
     public void Checkpoint()
     {
@@ -145,7 +145,7 @@ internal sealed class FolderSink : RowSink
 
         if (begun is not null)
         {
-            // In a fixed order: the process that locks the first file locks all of them.
+            // The order is fixed, so the process that locks the first file locks all of them.
             foreach (FileRecord record in begun.Files.Take(format.Files.Count))
             {
                 _files.Add(DataFile.Continue(_folder, record));
@@ -166,7 +166,7 @@ internal sealed class FolderSink : RowSink
         Checkpoint();
     }
 
-    /// <summary>Checks that a file of a finished folder exists and has its recorded length, and, if requested, its recorded hash.</summary>
+    /// <summary>Checks that a file of a finished folder exists and has its recorded length and, if requested, its recorded hash.</summary>
     private void CheckThere(FileRecord record, bool verifies)
     {
         string path = Path.Combine(_folder, record.Name);
@@ -181,7 +181,9 @@ internal sealed class FolderSink : RowSink
         }
     }
 
-    /// <summary>Rejects files that have a name to be written, but no checkpoint. Files of a run that ended at once contain only headers and are accepted.</summary>
+    /// <summary>
+    /// Rejects files with the name of an output but without a checkpoint. It accepts files that contain only headers, from a run that ended at once.
+    /// </summary>
     private void RefuseForeign(RowFormat format)
     {
         for (int f = 0; f < format.Files.Count; f++)

@@ -4,13 +4,12 @@ namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>The parameters that determine the bytes of a data set. Shards that differ in them do not belong together.</summary>
 /// <param name="Program">The program and its version.</param>
-/// <param name="Format">How rows are written.</param>
+/// <param name="Format">The file format.</param>
 /// <param name="Seed">The seed.</param>
-/// <param name="Count">Rows of the whole sweep.</param>
-/// <param name="Sweep">The sweep's own input, on one line.</param>
+/// <param name="Count">The number of rows of the complete sweep.</param>
+/// <param name="Sweep">The input of the sweep, on one line.</param>
 internal sealed record Identity(string Program, string Format, long Seed, long Count, string Sweep)
 {
-    /// <summary>Reads it.</summary>
     public static Identity Read(JsonElement from) => new(
         from.GetProperty("program").GetString()!,
         from.GetProperty("format").GetString()!,
@@ -28,7 +27,7 @@ internal sealed record Identity(string Program, string Format, long Seed, long C
         json.WriteRawValue(Sweep);
     }
 
-    /// <summary>The first difference from another identity; null if they are equal.</summary>
+    /// <summary>Describes the first difference from another identity; null if they are equal.</summary>
     public string? Difference(Identity other) =>
         Program != other.Program ? $"its program is {other.Program}, not {Program}"
         : Format != other.Format ? $"its format is {other.Format}, not {Format}"

@@ -7,16 +7,16 @@ namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>The content of a folder: the sweep, the shard, the number of rows and the files.</summary>
 /// <param name="Identity">The sweep.</param>
-/// <param name="Shard">The part.</param>
-/// <param name="Rows">Rows that there are; those of the part where it is done.</param>
+/// <param name="Shard">The part of the sweep.</param>
+/// <param name="Rows">The number of rows written; in a finished folder, that of the part.</param>
 /// <param name="FlownSingly">The number of rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</param>
 /// <param name="Files">The files.</param>
 internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? FlownSingly, IReadOnlyList<FileRecord> Files)
 {
-    /// <summary>Name of the file in a folder that is done.</summary>
+    /// <summary>The name of the file in a finished folder.</summary>
     public const string Done = "manifest.json";
 
-    /// <summary>Name of the file in a folder that is not done.</summary>
+    /// <summary>The name of the file in an unfinished folder.</summary>
     public const string Unfinished = "checkpoint.json";
 
     /// <summary>The suffix of a file name while the file is written.</summary>
@@ -35,7 +35,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
 
     /// <summary>Reads the file; null if it does not exist.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="name">Name of the file.</param>
+    /// <param name="name">The name of the file.</param>
     /// <exception cref="RefusedException">The file is not a manifest.</exception>
     public static Manifest? Read(string folder, string name)
     {
@@ -64,7 +64,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             FileRecord[] files = [.. root.GetProperty("files").EnumerateArray().Select((file, i) => ReadFile(path, i, file))];
             long rows = root.GetProperty("rows").GetInt64();
 
-            // A row takes a byte at least in each file of rows: a footer for more rows than bytes could fill the memory.
+            // A row has at least one byte in each data file. More rows than bytes would need a footer that fills the memory.
             Check(path, "rows", rows, 0, files.Where(file => file.Name != Schema.Name).Select(file => file.Bytes).Append(part.Rows).Min());
             return new Manifest(identity, part, rows, root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null, files);
         }
@@ -74,10 +74,10 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
         }
     }
 
-    /// <summary>Writes it at once: it is there whole, or as it was before.</summary>
+    /// <summary>Writes the file atomically: a reader sees the new content or the old one.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="name">Name of the file.</param>
-    /// <param name="toDisk">Whether to wait until it is on the disk.</param>
+    /// <param name="name">The name of the file.</param>
+    /// <param name="toDisk">True to wait until the file is on the disk.</param>
     public void Write(string folder, string name, bool toDisk)
     {
         string path = Path.Combine(folder, name);
@@ -94,7 +94,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
 
     private static FileRecord ReadFile(string path, int index, JsonElement file)
     {
-        // The file may come from elsewhere: its names must not lead out of the folder, whatever the system's separators are.
+        // The file may come from another person: a name must not lead out of the folder, whatever separators the system uses.
         string name = file.GetProperty("name").GetString() ?? "";
         if (name.Length == 0 || name is "." or ".." || name.AsSpan().IndexOfAny("/\\:\0") >= 0)
         {

@@ -2,19 +2,19 @@ using System.Buffers;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>Where rows go.</summary>
+/// <summary>A destination of rows.</summary>
 internal abstract class RowSink : IDisposable
 {
-    /// <summary>Rows that are there already.</summary>
+    /// <summary>The number of rows written, including those of earlier runs.</summary>
     public long Rows { get; protected set; }
 
-    /// <summary>How many of them lanes handed to the single ball.</summary>
+    /// <summary>The number of these rows that the SIMD batch passed to the scalar simulation.</summary>
     public long FlownSingly { get; protected set; }
 
     /// <summary>Adds rows.</summary>
     /// <param name="files">The bytes to append to each file.</param>
-    /// <param name="rows">How many rows that is.</param>
-    /// <param name="handedOn">How many of them lanes handed to the single ball.</param>
+    /// <param name="rows">The number of rows.</param>
+    /// <param name="handedOn">The number of these rows that the SIMD batch passed to the scalar simulation.</param>
     public void Add(IReadOnlyList<ArrayBufferWriter<byte>> files, int rows, long handedOn)
     {
         Write(files);
@@ -23,14 +23,14 @@ internal abstract class RowSink : IDisposable
         Added();
     }
 
-    /// <summary>Ends it: all rows are there.</summary>
+    /// <summary>Completes the output after the last row.</summary>
     public abstract void Finish();
 
     public abstract void Dispose();
 
     protected abstract void Write(IReadOnlyList<ArrayBufferWriter<byte>> files);
 
-    /// <summary>Rows were added.</summary>
+    /// <summary>Called after rows were added.</summary>
     protected virtual void Added()
     {
     }

@@ -11,15 +11,14 @@ namespace FootballPhysics.Tool.Sweep.Output;
 /// <summary>The schema of a data set: the names, files, types, units and words of its columns.</summary>
 internal static class Schema
 {
-    /// <summary>Name of the file.</summary>
+    /// <summary>The name of the file.</summary>
     public const string Name = "schema.json";
 
     private static readonly JsonWriterOptions s_options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The file's record.</summary>
     public static FileRecord Record(byte[] text) => new(Name, text.Length, text.Length, Convert.ToHexStringLower(SHA256.HashData(text)));
 
-    /// <summary>The file's text.</summary>
+    /// <summary>Returns the text of the file.</summary>
     public static byte[] Text(IReadOnlyList<Column> columns, RowFormat format)
     {
         var text = new ArrayBufferWriter<byte>();

@@ -2,7 +2,7 @@ using System.Buffers;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>Rows that go to the standard output.</summary>
+/// <summary>Writes rows to the standard output.</summary>
 internal sealed class StreamSink : RowSink
 {
     private readonly Stream _output;

@@ -2,14 +2,14 @@ using System.Text.Json;
 
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>One of some values: drawn from a list, or in turn from a grid.</summary>
+/// <summary>A choice from several values: at random from a list, or in order from a grid.</summary>
 internal sealed class ChoiceRange : FieldRange
 {
     private readonly double[] _numbers;
 
-    /// <summary>Makes a range.</summary>
-    /// <param name="values">The values; at least one.</param>
-    /// <param name="isGrid">Whether they come in turn.</param>
+    /// <summary>Creates a range.</summary>
+    /// <param name="values">The values, at least one.</param>
+    /// <param name="isGrid">True to use the values in order.</param>
     public ChoiceRange(IReadOnlyList<JsonElement> values, bool isGrid)
     {
         Values = values;
@@ -21,10 +21,10 @@ internal sealed class ChoiceRange : FieldRange
 
     public bool IsGrid { get; }
 
-    /// <summary>Rows for which a value of a grid stays: the product of the grids after it.</summary>
+    /// <summary>The number of consecutive rows with the same value of a grid: the product of the sizes of the grids after it.</summary>
     public long Stride { get; set; } = 1;
 
-    /// <summary>Whether all values are numbers.</summary>
+    /// <summary>True if all values are numbers.</summary>
     public bool HasNumbers => _numbers.All(double.IsFinite);
 
     public override IEnumerable<FieldValue> Ends => Values.Select((_, i) => Value(i));

@@ -2,14 +2,14 @@ using System.Text;
 
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>splitmix64 as a counter generator: a number of a field depends on the seed, the field's name and the row, and on nothing else.</summary>
+/// <summary>The counter-based random number generator splitmix64. A random number depends only on the seed, the name of the field and the row.</summary>
 internal static class CounterRandom
 {
     private const ulong Golden = 0x9E3779B97F4A7C15UL;
 
-    /// <summary>The numbers of a field.</summary>
+    /// <summary>Returns the key of a field's random numbers.</summary>
     /// <param name="seed">The seed of the sweep.</param>
-    /// <param name="field">The field's path.</param>
+    /// <param name="field">The path of the field.</param>
     public static ulong Stream(long seed, string field)
     {
         // FNV-1a
@@ -22,7 +22,7 @@ internal static class CounterRandom
         return Mix(unchecked(Mix((ulong)seed + Golden) ^ hash));
     }
 
-    /// <summary>The number of a row, uniform in 0 … 1, both excluded.</summary>
+    /// <summary>Returns the random number of a row, uniform in 0 … 1, both excluded.</summary>
     public static double At(ulong stream, long index)
     {
         ulong bits = Mix(unchecked(stream + (Golden * ((ulong)index + 1))));

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>A value that was drawn.</summary>
-/// <param name="Number">The number; not a number where it is none.</param>
-/// <param name="Choice">Its place in a list or a grid; −1 where it is from neither.</param>
+/// <summary>The value of a field in a row.</summary>
+/// <param name="Number">The number; NaN if the value is not a number.</param>
+/// <param name="Choice">The index in a list or a grid; −1 if the value is from neither.</param>
 internal readonly record struct FieldValue(double Number, int Choice = -1);

@@ -2,16 +2,17 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>The quantiles of the normal distribution, with the same bits on every machine.</summary>
+/// <summary>The quantiles of the normal distribution, bit-identical on every machine.</summary>
 internal static class NormalQuantile
 {
-    /// <summary>|p − ½| up to here is the middle.</summary>
+    /// <summary>The largest |p − ½| of the middle approximation.</summary>
     private const double Middle = 0.425;
 
-    /// <summary>√(−ln p) up to here is no far tail.</summary>
+    /// <summary>The largest √(−ln p) of the near tail.</summary>
     private const double Far = 5;
 
-    // M. J. Wichura, Algorithm AS 241, Applied Statistics 37 (1988): PPND16, about 1 part in 10¹⁶. Highest power first.
+    // M. J. Wichura, Algorithm AS 241, Applied Statistics 37 (1988): PPND16, accurate to about 1 part in 10¹⁶. Coefficients start with that of the
+    // highest power.
     private static readonly double[] s_middleTop =
     [
         2.5090809287301226727e+3, 3.3430575583588128105e+4, 6.7265770927008700853e+4, 4.5921953931549871457e+4,
@@ -48,8 +49,8 @@ internal static class NormalQuantile
         1.48753612908506148525e-2, 1.36929880922735805310e-1, 5.99832206555887937690e-1, 1.0,
     ];
 
-    /// <summary>The number that a share of p lies below.</summary>
-    /// <param name="p">The share; 0 … 1, both excluded.</param>
+    /// <summary>Returns the quantile: the number below which a share p of the distribution lies.</summary>
+    /// <param name="p">The share p; 0 … 1, both excluded.</param>
     public static double At(double p)
     {
         double q = p - 0.5;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>Numbers around a mean, normally distributed; those outside of a range do not occur.</summary>
+/// <summary>Normally distributed numbers, truncated to a range.</summary>
 internal sealed class NormalRange : FieldRange
 {
-    /// <summary>Halvings until the share below a bound is known to the last bit that matters.</summary>
+    /// <summary>The number of bisection steps for the share below a bound; enough for full precision.</summary>
     private const int Halvings = 100;
 
     private readonly double _mean;
@@ -13,11 +13,11 @@ internal sealed class NormalRange : FieldRange
     private readonly double _shareBelow;
     private readonly double _share;
 
-    /// <summary>Makes a range.</summary>
-    /// <param name="mean">The mean, were there no bounds.</param>
-    /// <param name="deviation">The standard deviation, were there no bounds; above 0.</param>
-    /// <param name="low">The lowest number; may be infinite.</param>
-    /// <param name="high">The highest number; may be infinite.</param>
+    /// <summary>Creates a range.</summary>
+    /// <param name="mean">The mean without truncation.</param>
+    /// <param name="deviation">The standard deviation without truncation. Above 0.</param>
+    /// <param name="low">The minimum; can be infinite.</param>
+    /// <param name="high">The maximum; can be infinite.</param>
     public NormalRange(double mean, double deviation, double low, double high)
     {
         _mean = mean;
@@ -28,7 +28,7 @@ internal sealed class NormalRange : FieldRange
         _share = ShareBelow((high - mean) / deviation) - _shareBelow;
     }
 
-    /// <summary>The part of the distribution that lies within the bounds.</summary>
+    /// <summary>The share of the distribution within the bounds.</summary>
     public double Share => _share;
 
     public override IEnumerable<FieldValue> Ends =>
@@ -36,12 +36,12 @@ internal sealed class NormalRange : FieldRange
 
     public override FieldValue Draw(double random, long index)
     {
-        // x = µ + σ Φ⁻¹(p), p uniform among the shares within the bounds
+        // x = µ + σ Φ⁻¹(p), where p is uniform between the shares below the bounds.
         double x = _mean + (_deviation * NormalQuantile.At(_shareBelow + (_share * random)));
         return new FieldValue(Math.Min(Math.Max(x, _low), _high));
     }
 
-    /// <summary>Φ(z): the share whose quantile is z.</summary>
+    /// <summary>Returns Φ(z), the share below the quantile z.</summary>
     private static double ShareBelow(double z)
     {
         if (double.IsInfinity(z))

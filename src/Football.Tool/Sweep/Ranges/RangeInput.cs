@@ -8,18 +8,18 @@ namespace FootballPhysics.Tool.Sweep.Ranges;
 /// <summary>Reads a range: [low, high], {"uniform"}, {"normal"}, {"list"} or {"grid"}.</summary>
 internal static class RangeInput
 {
-    /// <summary>Most values of a list or a grid.</summary>
+    /// <summary>The maximum number of values in a list or a grid.</summary>
     private const int MostValues = 1_000_000;
 
-    /// <summary>Least share of a normal distribution within its bounds.</summary>
+    /// <summary>The minimum share of a normal distribution within its bounds.</summary>
     private const double LeastShare = 1e-6;
 
     private const string Forms = """[low, high] | {"uniform": [low, high]} | {"normal": [mean, deviation], "within": [low, high]} | {"list": [value, …]} | {"grid": [value, …]} | {"grid": {"from", "to", "count"}}""";
 
     /// <summary>Reads a range; null if the value is an ordinary value of the field.</summary>
-    /// <param name="field">The field, for a refusal.</param>
+    /// <param name="field">The field, for error messages.</param>
     /// <param name="value">The value in the input.</param>
-    /// <param name="allowed">What its numbers may be; null where somebody else says so.</param>
+    /// <param name="allowed">The allowed numbers; null if other code checks them.</param>
     /// <exception cref="RefusedException">The value is not a range, or one of its numbers is not allowed.</exception>
     public static FieldRange? Read(string field, JsonElement value, NumberRange? allowed)
     {
@@ -86,7 +86,7 @@ internal static class RangeInput
         return range.HasNumbers || range.Values.Count <= Column.MostWords ? range : null;
     }
 
-    /// <summary>Numbers at even distances, both ends among them.</summary>
+    /// <summary>Returns numbers at equal distances, including both ends.</summary>
     private static ChoiceRange? Spaced(JsonElement grid)
     {
         double from = Member(grid, "from");

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>Every number between two is as likely as any other.</summary>
+/// <summary>Uniformly distributed numbers between two bounds.</summary>
 internal sealed class UniformRange(double low, double high) : FieldRange
 {
     public override IEnumerable<FieldValue> Ends => [new(low), new(high)];

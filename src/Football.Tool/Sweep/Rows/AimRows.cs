@@ -4,7 +4,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>Kicks that are looked for one by one.</summary>
+/// <summary>Rows of kicks that are found one by one.</summary>
 internal sealed class AimRows : RowMaker
 {
     private readonly CompiledScenes<CompiledScene> _scenes;

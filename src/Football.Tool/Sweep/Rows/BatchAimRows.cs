@@ -2,7 +2,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>Kicks that are looked for many at a time.</summary>
+/// <summary>Rows of kicks that the SIMD batch finds together.</summary>
 internal sealed class BatchAimRows : RowMaker
 {
     private readonly BatchAimer _aimer;

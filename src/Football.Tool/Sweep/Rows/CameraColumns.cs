@@ -3,19 +3,19 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>The columns of cameras: their matrices, the pixels of the samples, and whether these are within the image.</summary>
+/// <summary>The columns of cameras: their matrices, the pixels of the samples, and whether the pixels are inside the image.</summary>
 internal static class CameraColumns
 {
     private static readonly string[] s_rows = ["a", "b", "w"];
     private static readonly string[] s_columns = ["x", "y", "z", "1"];
     private static readonly string[] s_pixel = ["u", "v"];
 
-    /// <summary>Makes the columns.</summary>
+    /// <summary>Creates the columns.</summary>
     /// <param name="count">The number of cameras.</param>
-    /// <param name="times">The times of samples, s.</param>
-    /// <param name="labels">Their names.</param>
-    /// <param name="cameras">The cameras of the row that is filled.</param>
-    /// <param name="at">The position at a time; null after the end.</param>
+    /// <param name="times">The times of the samples, in s.</param>
+    /// <param name="labels">The names of the samples.</param>
+    /// <param name="cameras">Returns the cameras of the current row.</param>
+    /// <param name="at">Returns the position at a time, in m; null after the end.</param>
     public static IEnumerable<ColumnSource> Of(int count, IReadOnlyList<double> times, string[] labels, Func<IReadOnlyList<CameraView>> cameras, Func<double, Vector3d?> at)
     {
         if (count == 0)

@@ -2,23 +2,23 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>The scenes of rows, compiled; one that comes again is not compiled again.</summary>
-/// <typeparam name="T">A compiled scene.</typeparam>
+/// <summary>A cache of the compiled scenes of rows.</summary>
+/// <typeparam name="T">The type of a compiled scene.</typeparam>
 /// <param name="plan">The sweep.</param>
 /// <param name="draws">The random values of the rows.</param>
 /// <param name="compile">Compiles a scene.</param>
 internal sealed class CompiledScenes<T>(SweepPlan plan, RowDraws draws, Func<SweepScene, T> compile)
     where T : class
 {
-    /// <summary>Scenes that are kept.</summary>
+    /// <summary>The maximum number of cached scenes.</summary>
     private const int Most = 256;
 
     private readonly bool _areCountable = plan.Scenes < long.MaxValue / 2;
     private readonly Dictionary<long, T> _kept = [];
     private T? _only;
 
-    /// <summary>The scene of a row.</summary>
-    /// <exception cref="RefusedException">It is refused.</exception>
+    /// <summary>Returns the compiled scene of a row.</summary>
+    /// <exception cref="RefusedException">The scene is invalid.</exception>
     public T Of(int row)
     {
         if (plan.SceneFields.Length == 0)

@@ -2,13 +2,13 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>Flights to the first impact, in lanes.</summary>
+/// <summary>Rows of flights to the first impact, simulated in SIMD batches.</summary>
 internal sealed class FlightRows : LaunchRows
 {
     private readonly CompiledScenes<CompiledScene> _scenes;
     private readonly BatchFlights _flights;
 
-    /// <summary>The rows of one of several scenes, side by side.</summary>
+    /// <summary>The launches of the rows that share one of several scenes.</summary>
     private readonly BatchLaunches _sceneLaunches;
     private readonly BatchFlights _sceneFlights;
     private readonly Dictionary<CompiledScene, List<int>> _rows = [];

@@ -9,13 +9,11 @@ internal abstract class LaunchRows : RowMaker
     protected LaunchRows(SweepPlan plan, int capacity)
         : base(plan, capacity) => Launches = new BatchLaunches(capacity);
 
-    /// <summary>Names of the ends of a flight, those of <see cref="BatchEnd"/> first.</summary>
+    /// <summary>The names of the ends of a flight; those of <see cref="BatchEnd"/> come first.</summary>
     protected static string[] Ends { get; } = ["impact", "time", "ground", "plane", "rest"];
 
-    /// <summary>The launches of the rows.</summary>
     protected BatchLaunches Launches { get; }
 
-    /// <summary>Prepares the launch of a row.</summary>
     protected void Prepare(SweepScene scene, int row)
     {
         Vector3d velocity;
@@ -34,7 +32,7 @@ internal abstract class LaunchRows : RowMaker
         Launches.Set(row, Draws.Vector(scene, DirectField.Position, row), velocity, spin);
     }
 
-    /// <summary>The launches as vectors.</summary>
+    /// <summary>Returns the columns of the launch as vectors.</summary>
     protected IEnumerable<ColumnSource> LaunchSources() =>
     [
         new(Column.Vector("launch.position", "m", "where the centre of the ball is launched"), Vectors(Launches.Position), IsDefault: false),

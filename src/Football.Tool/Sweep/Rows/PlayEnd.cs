@@ -1,9 +1,9 @@
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>The end of a flight by the single ball.</summary>
+/// <summary>The end of a flight in the scalar simulation.</summary>
 internal struct PlayEnd
 {
-    /// <summary>Place among the names of ends.</summary>
+    /// <summary>The index in the names of the ends.</summary>
     public int Kind;
 
     public double Time;
@@ -25,7 +25,6 @@ internal struct PlayEnd
 
     public readonly bool IsFinite => double.IsFinite(Time) && Position.IsFinite && Velocity.IsFinite && Spin.IsFinite && VelocityAfter.IsFinite && SpinAfter.IsFinite;
 
-    /// <summary>The end of a path.</summary>
     public static PlayEnd Of(Trajectory path, SweepScene scene)
     {
         if (scene.Plane is { } plane && path.TryGetCrossing(in plane, out PathPoint crossing))
@@ -43,7 +42,7 @@ internal struct PlayEnd
             };
         }
 
-        // An impact may be followed by what comes of it at the same instant.
+        // Other events may follow an impact at the same time.
         BallEventKind? kind = scene.StopAt == SweepStop.Impact ? BallEventKind.Impact : scene.StopAt == SweepStop.Time ? null : BallEventKind.Rest;
         for (int i = path.Events.Count - 1; i >= 0 && kind is not null; i--)
         {

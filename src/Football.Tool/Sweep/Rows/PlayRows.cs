@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>Flights by the single ball: among things, beyond the first impact, with events and samples.</summary>
+/// <summary>Rows of flights in the scalar simulation: with obstacles, beyond the first impact, with events and samples.</summary>
 internal sealed class PlayRows : LaunchRows
 {
     private const string NoThing = "none";
@@ -149,7 +149,7 @@ internal sealed class PlayRows : LaunchRows
         scene.Simulator.LookAhead(in ball, scene.Request, _path);
         while (!_path.IsComplete)
         {
-            // Nothing but its memory ends a path early.
+            // A path is incomplete only if its buffer is full: repeat with a larger one.
             _path = new Trajectory(2 * _path.Pieces.Length);
             scene.Simulator.LookAhead(in ball, scene.Request, _path);
         }
@@ -181,7 +181,7 @@ internal sealed class PlayRows : LaunchRows
         return count;
     }
 
-    /// <summary>Place among <see cref="s_outcomes"/>; obstacles follow the ground in the list of things, then come the frames of goals.</summary>
+    /// <summary>Returns the index in <see cref="s_outcomes"/>. Colliders 1 to <paramref name="obstacles"/> are obstacles; the frames of goals follow.</summary>
     private int Outcome(int obstacles)
     {
         bool Hit(int first, int last) => Count(happened => happened.Kind == BallEventKind.Impact && happened.ColliderIndex >= first && happened.ColliderIndex <= last) > 0;
@@ -190,7 +190,7 @@ internal sealed class PlayRows : LaunchRows
 
     private sealed class CompiledScene
     {
-        /// <summary>Where each thing of the scene is among those of all scenes.</summary>
+        /// <summary>The index of each collider of the scene in the list of all scenes' colliders.</summary>
         private readonly int[] _places;
 
         public CompiledScene(SweepScene scene, List<string> things)
@@ -218,7 +218,7 @@ internal sealed class PlayRows : LaunchRows
 
         public LookAheadRequest Request { get; }
 
-        /// <summary>Where a thing of the scene is among those of all scenes; −1 for none of them.</summary>
+        /// <summary>Returns the index of a collider in the list of all scenes' colliders; −1 if it is not there.</summary>
         public int Place(int thing) => thing >= 0 && thing < _places.Length ? _places[thing] : -1;
     }
 }

@@ -14,10 +14,10 @@ internal sealed class RowDraws
         _values = [.. plan.Fields.Select(_ => new FieldValue[capacity])];
     }
 
-    /// <summary>The first of the rows.</summary>
+    /// <summary>The index of the first row.</summary>
     public long First { get; private set; }
 
-    /// <summary>Draws rows.</summary>
+    /// <summary>Computes the values of rows.</summary>
     public void Draw(long first, int count)
     {
         First = first;
@@ -33,16 +33,15 @@ internal sealed class RowDraws
         }
     }
 
-    /// <summary>A value.</summary>
     public FieldValue Value(int field, int row) => _values[field][row];
 
-    /// <summary>A number of a launch or an aim: drawn, or the scene's.</summary>
+    /// <summary>Returns a number of a launch or an aim: the row's random value, or the scene's fixed one.</summary>
     public double Number(SweepScene scene, int number, int row) => _plan.FieldOf[number] is >= 0 and int field ? _values[field][row].Number : scene.Numbers[number];
 
-    /// <summary>Three of them as a vector.</summary>
+    /// <summary>Returns three consecutive numbers of a launch or an aim as a vector.</summary>
     public Vector3d Vector(SweepScene scene, int first, int row) => new(Number(scene, first, row), Number(scene, first + 1, row), Number(scene, first + 2, row));
 
-    /// <summary>A number for the choices of all fields of the scene.</summary>
+    /// <summary>Returns a key that identifies the values of all fields of the scene in a row.</summary>
     public long SceneKey(int row)
     {
         long key = 0;

@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>Makes rows, on one thread.</summary>
+/// <summary>Computes rows, on one thread.</summary>
 internal abstract class RowMaker
 {
     private readonly int _capacity;
@@ -18,10 +18,9 @@ internal abstract class RowMaker
         _capacity = capacity;
     }
 
-    /// <summary>The columns that rows can have.</summary>
+    /// <summary>All possible columns.</summary>
     public IReadOnlyList<ColumnSource> Sources => _sources ??= [.. DrawnSources(), .. AnswerSources()];
 
-    /// <summary>The columns that rows have.</summary>
     public IReadOnlyList<ColumnData> Columns => _columns ??= [.. Chosen.Select(source => new ColumnData(source.Column, _capacity))];
 
     /// <summary>The number of the last rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</summary>
@@ -35,9 +34,9 @@ internal abstract class RowMaker
         ? [.. Sources.Where(source => source.IsDefault)]
         : [.. Plan.Row.Columns.Select(Find)];
 
-    /// <summary>Makes a maker for a sweep.</summary>
+    /// <summary>Creates an instance for a sweep.</summary>
     /// <param name="plan">The sweep.</param>
-    /// <param name="capacity">Most rows at a time.</param>
+    /// <param name="capacity">The maximum number of rows at a time.</param>
     /// <exception cref="RefusedException">There is no such column.</exception>
     public static RowMaker Create(SweepPlan plan, int capacity)
     {
@@ -49,10 +48,10 @@ internal abstract class RowMaker
         return maker;
     }
 
-    /// <summary>Makes rows; their values are in <see cref="Columns"/> then.</summary>
-    /// <param name="first">The first.</param>
-    /// <param name="count">How many.</param>
-    /// <exception cref="RefusedException">A scene or a launch that was drawn is refused.</exception>
+    /// <summary>Computes rows; <see cref="Columns"/> then contains their values.</summary>
+    /// <param name="first">The index of the first row.</param>
+    /// <param name="count">The number of rows.</param>
+    /// <exception cref="RefusedException">A random scene or launch is invalid.</exception>
     public void Make(long first, int count)
     {
         Draws.Draw(first, count);
@@ -60,19 +59,19 @@ internal abstract class RowMaker
         {
             Answer(count);
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, new InputFields(default)) is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, new InputFields(default)) is { } translated)
         {
-            throw new RefusedException(FormattableString.Invariant($"rows {first} to {first + count - 1}: {said.Message}"));
+            throw new RefusedException(FormattableString.Invariant($"rows {first} to {first + count - 1}: {translated.Message}"));
         }
     }
 
-    /// <summary>The scene of a row whose columns are being filled, as far as columns of launches and aims depend on it.</summary>
+    /// <summary>Returns the scene of the row whose columns are being filled. Only columns of launches and aims use it.</summary>
     protected virtual SweepScene SceneOf(int row) => Plan.Scene;
 
-    /// <summary>Answers what was drawn, and fills the columns.</summary>
+    /// <summary>Computes the results of the random values, and fills the columns.</summary>
     protected abstract void Answer(int count);
 
-    /// <summary>The columns of the answers.</summary>
+    /// <summary>Returns the columns of the results.</summary>
     protected abstract IEnumerable<ColumnSource> AnswerSources();
 
     /// <summary>Fills all columns of some rows.</summary>
@@ -84,7 +83,7 @@ internal abstract class RowMaker
         }
     }
 
-    /// <summary>Copies vectors.</summary>
+    /// <summary>Returns a function that copies vectors to a column.</summary>
     protected static Action<ColumnData, int, int> Vectors(Vector3dColumns vectors) => (to, from, count) =>
     {
         for (int i = from; i < from + count; i++)
@@ -95,7 +94,7 @@ internal abstract class RowMaker
         }
     };
 
-    /// <summary>Copies numbers.</summary>
+    /// <summary>Returns a function that copies numbers to a column.</summary>
     protected static Action<ColumnData, int, int> Numbers(double[] numbers) => (to, from, count) => Array.Copy(numbers, from, to.Reals, from, count);
 
     private ColumnSource Find(string name)
@@ -105,7 +104,7 @@ internal abstract class RowMaker
             "row.columns", Quote.Short(name), string.Join(" | ", names));
     }
 
-    /// <summary>The row's number and its random values; for a kick all five numbers, even if they are fixed.</summary>
+    /// <summary>Returns the columns of the row's index and random values. For a kick, all five numbers are included even if they are fixed.</summary>
     private IEnumerable<ColumnSource> DrawnSources()
     {
         yield return new ColumnSource(Column.Whole("index", "", "number of the row in the whole sweep, from 0"), (to, from, count) =>
