@@ -4,15 +4,15 @@ using FootballPhysics.Tool.Cameras;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>A scene, and the positions or pixels at which cameras saw a ball in it.</summary>
+/// <summary>A scene, and the positions or pixels of a ball that cameras observed in it.</summary>
 internal sealed record FitScenario
 {
     public required Scene Scene { get; init; }
 
-    /// <summary>The positions; empty if there are cameras.</summary>
+    /// <summary>The observed positions; empty if there are cameras.</summary>
     public TrackPoint[] Track { get; init; } = [];
 
-    /// <summary>The cameras that saw the pixels; empty if the track has positions.</summary>
+    /// <summary>The cameras of the observed pixels; empty if the track has positions.</summary>
     public TrackCamera[] Cameras { get; init; } = [];
 
     public PixelPoint[] Pixels { get; init; } = [];

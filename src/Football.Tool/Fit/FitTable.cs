@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>A fit as a table for a person.</summary>
+/// <summary>Formats a fit as a table.</summary>
 internal static class FitTable
 {
     public static void Print(TrackFitResult fit, Terminal terminal)

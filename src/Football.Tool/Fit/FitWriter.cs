@@ -4,7 +4,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>A fit as a line of JSON.</summary>
+/// <summary>Writes a fit as a line of JSON.</summary>
 internal static class FitWriter
 {
     public static ReadOnlyMemory<byte> Result(string? name, TrackFitResult fit) => ResultWriter.Line(writer =>
@@ -56,7 +56,7 @@ internal static class FitWriter
         }
     });
 
-    /// <summary>An infinite error is null.</summary>
+    /// <summary>Writes an error; null if it is infinite.</summary>
     private static void WriteError(Utf8JsonWriter writer, string name, double error)
     {
         if (double.IsFinite(error))

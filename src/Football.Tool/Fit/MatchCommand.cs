@@ -41,7 +41,7 @@ internal sealed class MatchCommand
 
     private Option[] Own => [_ball, _altitude, _temperature, _free, _plot, _unit, _timeUnit, _rate, _pitch, _y, _up, _decimal, _columns];
 
-    /// <summary>Adds its options to a command.</summary>
+    /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
         command.Add(_match);
@@ -61,7 +61,7 @@ internal sealed class MatchCommand
                 }
             }
 
-            // A match is one track, which is fitted by one thread.
+            // A match is a single track, and one thread fits it.
             foreach (Option option in match ? command.Options.Where(option => s_ofBatches.Contains(option.Name)) : [])
             {
                 if (result.GetResult(option) is { Implicit: false })
@@ -72,10 +72,8 @@ internal sealed class MatchCommand
         });
     }
 
-    /// <summary>The option --match.</summary>
     public Option<string?> Option => _match;
 
-    /// <summary>Does it.</summary>
     public int Run(ParseResult parsed, FieldOverride[] given, bool json, Terminal terminal)
     {
         string file = parsed.GetValue(_match)!;
@@ -110,7 +108,7 @@ internal sealed class MatchCommand
             throw refusal;
         }
 
-        // A rejected track is one line; the guesses are written only if it is read.
+        // Print the guesses only after the track was read, because a rejected track prints one line.
         List<string> guesses = [];
         using Stream stream = Arguments.OpenInput(file, terminal);
         TrackReading reading = TrackReader.Reading(stream, guesses.Add, format, scene.Gravity);
@@ -118,12 +116,12 @@ internal sealed class MatchCommand
         MatchFitResult fit;
         try
         {
-            fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new Told(progress)));
+            fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new ProgressReport(progress)));
             UnitRivals.Check(scene, request, reading, fit, guesses.Add);
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } error)
         {
-            throw said;
+            throw error;
         }
 
         guesses.ForEach(terminal.Person.WriteLine);
@@ -160,8 +158,8 @@ internal sealed class MatchCommand
             : throw new RefusedException("--free", Quote.Short(unknown), string.Join(" | ", FitInput.Free) + " | none");
     }
 
-    /// <summary>Tells of the progress at once, in the thread that works.</summary>
-    private sealed class Told(Progress progress) : IProgress<double>
+    /// <summary>Reports the progress in the thread of the computation.</summary>
+    private sealed class ProgressReport(Progress progress) : IProgress<double>
     {
         public void Report(double value) => progress.Report(value, 1);
     }

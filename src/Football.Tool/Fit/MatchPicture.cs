@@ -3,7 +3,7 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>A picture of the fit of a match: from above, from the side by time, and the distances of each flight.</summary>
+/// <summary>Draws the fit of a match: a top view, the height over time, and the residuals of each flight.</summary>
 internal static class MatchPicture
 {
     private const double Width = 1500;

@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>The fit of a match as tables for a person.</summary>
+/// <summary>Formats the fit of a match as tables.</summary>
 internal static class MatchTable
 {
     public static void Print(MatchFitResult fit, Terminal terminal)
@@ -37,7 +37,7 @@ internal static class MatchTable
         PrintRobotSoccer(fit, terminal);
     }
 
-    /// <summary>The fitted ball in the terms of robot soccer.</summary>
+    /// <summary>Prints the fitted ball in the terms of robot soccer.</summary>
     private static void PrintRobotSoccer(MatchFitResult fit, Terminal terminal)
     {
         if (RobotSoccerModel.Of(fit.Scene) is { } model)
@@ -47,7 +47,7 @@ internal static class MatchTable
         }
     }
 
-    /// <summary>Slides and rolls without a touch, and their resistance.</summary>
+    /// <summary>Prints the windows in which the ball slides or rolls untouched, with their resistance.</summary>
     private static void PrintWindows(MatchFitResult fit, Terminal terminal)
     {
         if (fit.Windows.Count == 0)
@@ -66,7 +66,7 @@ internal static class MatchTable
         terminal.PersonConsole.Write(windows);
     }
 
-    /// <summary>The summary as one line.</summary>
+    /// <summary>Returns the summary as one line.</summary>
     public static string Summary(MatchFitResult fit) => FormattableString.Invariant(
         $"{fit.Flights} flights, rms {100 * fit.Rms:0.00} cm; {100 * fit.Covered:0.0} % of what is above 0.5 m in them; {fit.Impacts} impacts, {fit.Windows.Count} slides and rolls; noise {1000 * fit.Noise:0.0} mm. Good for {MatchWriter.GoodFor(fit)}.");
 

@@ -3,10 +3,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>The fit of a match as lines of JSON: its pieces in order of time, then a summary.</summary>
+/// <summary>Writes the fit of a match as lines of JSON: the pieces in order of time, then a summary.</summary>
 internal static class MatchWriter
 {
-    /// <summary>The word for a kind of piece.</summary>
+    /// <summary>Returns the word for a kind of piece.</summary>
     public static string Word(MatchPieceKind kind) => kind switch
     {
         MatchPieceKind.Flight => "flight",
@@ -16,13 +16,13 @@ internal static class MatchWriter
         _ => "lost",
     };
 
-    /// <summary>The word for a motion on the ground.</summary>
+    /// <summary>Returns the word for a motion on the ground.</summary>
     public static string Word(MotionState motion) => motion == MotionState.Sliding ? "sliding" : "rolling";
 
-    /// <summary>c₀ + c₁ v at the mean speed of the windows in which the ball rolls.</summary>
+    /// <summary>Returns c₀ + c₁ v at the mean speed of the windows in which the ball rolls.</summary>
     public static double RollingResistance(MatchFitResult fit) => fit.Scene.Ground.Material.RollingResistance + (fit.Scene.Ground.Material.RollingResistancePerSpeed * fit.RollingSpeed);
 
-    /// <summary>The line of a piece; a time on the ground lists the windows in which the ball slides or rolls untouched.</summary>
+    /// <summary>Returns the line of a piece. For a piece on the ground, it lists the windows in which the ball slides or rolls untouched.</summary>
     public static ReadOnlyMemory<byte> Piece(MatchPiece piece, MatchFitResult fit) => ResultWriter.Line(json =>
     {
         json.WriteString("kind", Word(piece.Kind));
@@ -69,7 +69,9 @@ internal static class MatchWriter
         json.WriteEndObject();
     });
 
-    /// <summary>The line of the summary: "fitted" has the numbers that hold for all of the track, "deviations" those of them that were sought.</summary>
+    /// <summary>
+    /// Returns the line of the summary. "fitted" has the parameters of the complete track, "deviations" the standard errors of the estimated ones.
+    /// </summary>
     public static ReadOnlyMemory<byte> Summary(MatchFitResult fit) => ResultWriter.Line(json =>
     {
         json.WriteString("kind", "summary");
@@ -126,7 +128,7 @@ internal static class MatchWriter
         json.WriteEndArray();
     }
 
-    /// <summary>How many slides and rolls there are, and the resistance of a roll at the speed at which it is known best.</summary>
+    /// <summary>Writes the numbers of slides and rolls, and the rolling resistance at the speed at which it is most accurate.</summary>
     private static void WriteRolling(Utf8JsonWriter json, MatchFitResult fit)
     {
         json.WriteNumber("slides", fit.Windows.Count(window => window.Motion == MotionState.Sliding));
@@ -145,7 +147,7 @@ internal static class MatchWriter
         }
     }
 
-    /// <summary>The fitted ball in the terms of robot soccer, with the names of that league.</summary>
+    /// <summary>Writes the fitted ball in the terms and names of robot soccer.</summary>
     private static void WriteRobotSoccer(Utf8JsonWriter json, MatchFitResult fit)
     {
         if (RobotSoccerModel.Of(fit.Scene) is { } model)
@@ -165,14 +167,14 @@ internal static class MatchWriter
         }
     }
 
-    /// <summary>The maximum residual and noise of a track in metres and seconds, m.</summary>
+    /// <summary>The maximum residual and noise of a track in metres and seconds, in m.</summary>
     private const double MostRms = 0.5;
     private const double MostNoise = 0.35;
 
-    /// <summary>The quality of a track, in words.</summary>
+    /// <summary>Describes the quality of a track in words.</summary>
     public static string GoodFor(MatchFitResult fit)
     {
-        // A launch wants a few flights that fit about as well as their points are seen; what all share wants several of them, of centimetres.
+        // Launches require a few flights with residuals of about the noise. Shared parameters require several flights with a noise of centimetres.
         double seen = Math.Max(0.02, 3 * fit.Noise);
         return fit.Rms > MostRms || fit.Noise > MostNoise ? FormattableString.Invariant($"nothing: the fit is {fit.Rms:0.00} m off, and its points are {fit.Noise:0.00} m; check units, times and columns")
             : fit.Flights == 0 ? "nothing that flies long enough: only when the ball was touched, and where it was on the ground"

@@ -3,41 +3,41 @@ using FootballPhysics.Tool.Fit.Reading;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>Reads the track of a ball as people have it; positions become those of the library, metres with y up.</summary>
+/// <summary>Reads the track of a ball in many formats, and converts it to the library's coordinates: metres with y up.</summary>
 /// <remarks>
-/// CSV with any separator and decimal mark, with or without a header, and the layouts of <see cref="TrackLayouts"/>. Each guess is one line to the caller; the reader throws if it
-/// cannot tell how a number is meant. A line without a position is a gap.
+/// CSV with any separator and decimal mark, with or without a header, and the layouts of <see cref="TrackLayouts"/>. Each guess is reported as one
+/// line. The reader throws if a number is ambiguous. A line without a position is a gap.
 /// </remarks>
 internal static class TrackReader
 {
-    /// <summary>The least noise that a point is taken for, m: numbers as written have a last digit.</summary>
+    /// <summary>The minimum noise of a point, in m: written numbers are rounded.</summary>
     private const double LeastNoise = 1e-4;
 
-    /// <summary>A ball is this far from the origin at most, m.</summary>
+    /// <summary>The maximum distance of a ball from the origin, in m.</summary>
     private const double Farthest = 1e5;
 
     private const double Gravity = 9.81;
 
-    /// <summary>Reads it.</summary>
+    /// <summary>Reads a track.</summary>
     /// <param name="stream">The file.</param>
-    /// <param name="said">Receives guesses and remarks.</param>
-    /// <param name="format">How the file is written, as far as that is given.</param>
-    /// <param name="gravity">g, m/s², by which a unit is checked.</param>
-    /// <exception cref="RefusedException">The file is not a track; the message names line and value, or an option to give.</exception>
-    public static TrackPoint[] Read(Stream stream, Action<string> said, TrackFormat? format = null, double gravity = Gravity) => Reading(stream, said, format, gravity).Points;
+    /// <param name="report">Receives guesses and remarks.</param>
+    /// <param name="format">The given properties of the file.</param>
+    /// <param name="gravity">The gravity g, in m/s², for the check of the unit.</param>
+    /// <exception cref="RefusedException">The file is not a track. The message names the line and the value, or an option to pass.</exception>
+    public static TrackPoint[] Read(Stream stream, Action<string> report, TrackFormat? format = null, double gravity = Gravity) => Reading(stream, report, format, gravity).Points;
 
-    /// <summary>Reads it, and reports how sure the unit is.</summary>
+    /// <summary>Reads a track, and also returns how certain the unit is.</summary>
     /// <inheritdoc cref="Read"/>
-    public static TrackReading Reading(Stream stream, Action<string> said, TrackFormat? format = null, double gravity = Gravity)
+    public static TrackReading Reading(Stream stream, Action<string> report, TrackFormat? format = null, double gravity = Gravity)
     {
-        // 1. Text, and cells. 2. Columns. 3. Numbers. 4. Times, in seconds and in order. 5. Metres.
+        // 1. Read text and cells. 2. Find the columns. 3. Read the numbers. 4. Convert times to seconds, and sort. 5. Convert to metres.
         format ??= new TrackFormat();
         string text = TrackText.Read(stream);
-        TrackTable table = TrackLayouts.Find(text, said) ?? CsvTable.Read(text, format, said);
-        TrackColumns columns = Columns(table, format, said);
-        KeepBall(table, columns, said);
-        double[][] places = Places(table, columns, format, said);
-        double[] clock = new TrackClock(table, columns, format, said).Seconds(places);
+        TrackTable table = TrackLayouts.Find(text, report) ?? CsvTable.Read(text, format, report);
+        TrackColumns columns = Columns(table, format, report);
+        KeepBall(table, columns, report);
+        double[][] places = Places(table, columns, format, report);
+        double[] clock = new TrackClock(table, columns, format, report).Seconds(places);
 
         List<(double Time, Vector3d Place)> moments = [];
         List<int> rows = [];
@@ -52,7 +52,7 @@ internal static class TrackReader
 
         List<long> numbers = [.. rows.Select(row => table.Lines[row].Number)];
         string Half(int at) => table.Lines[rows[at]][columns.Period];
-        TrackOrder.Sort(moments, numbers, at => columns.Period >= 0 && Half(at) != Half(at - 1), said);
+        TrackOrder.Sort(moments, numbers, at => columns.Period >= 0 && Half(at) != Half(at - 1), report);
         moments.RemoveAll(moment => double.IsNaN(moment.Place.X + moment.Place.Y + moment.Place.Z));
         if (moments.Count < 8)
         {
@@ -62,14 +62,14 @@ internal static class TrackReader
         double[] times = [.. moments.Select(moment => moment.Time)];
         double[][] seen = [[.. moments.Select(moment => moment.Place.X)], [.. moments.Select(moment => moment.Place.Y)], [.. moments.Select(moment => moment.Place.Z)]];
         string?[] stated = table.Unit is { } unit ? [unit, unit, unit] : columns.Units;
-        TrackReading reading = TrackUnits.Convert(format, stated, times, seen, gravity, said);
+        TrackReading reading = TrackUnits.Convert(format, stated, times, seen, gravity, report);
         int far = Array.FindIndex(reading.Places, place => !(Math.Max(Math.Abs(place.X), Math.Max(Math.Abs(place.Y), Math.Abs(place.Z))) <= Farthest));
         return far < 0
             ? reading with { Points = [.. reading.Places.Select((place, i) => new TrackPoint(times[i], place, LeastNoise))] }
             : throw new RefusedException(FormattableString.Invariant($"The position at {times[far]} s in TRACK is more than 100 km off. Leave cells empty if the ball was not seen, or give --unit."));
     }
 
-    private static TrackColumns Columns(TrackTable table, TrackFormat format, Action<string> said)
+    private static TrackColumns Columns(TrackTable table, TrackFormat format, Action<string> report)
     {
         if (table.Header is { } header)
         {
@@ -89,7 +89,7 @@ internal static class TrackReader
 
         if (format.Columns is null)
         {
-            said("guessed: there is no header; the columns are t, x, y, z.");
+            report("guessed: there is no header; the columns are t, x, y, z.");
         }
 
         return columns;
@@ -98,9 +98,9 @@ internal static class TrackReader
     private static RefusedException Unknown(string[] header, TrackFormat format)
     {
         string names = Quote.Short(string.Join(',', header));
-        if (format.Columns is { } wanted)
+        if (format.Columns is { } chosen)
         {
-            return new RefusedException("--columns", Quote.Short(string.Join(',', wanted)), $"four names of TRACK's header, which is {names}, or four numbers from 1");
+            return new RefusedException("--columns", Quote.Short(string.Join(',', chosen)), $"four names of TRACK's header, which is {names}, or four numbers from 1");
         }
 
         bool hasHeight = header.Any(name => name.Contains('z', StringComparison.OrdinalIgnoreCase) || name.Contains("height", StringComparison.OrdinalIgnoreCase));
@@ -109,15 +109,15 @@ internal static class TrackReader
             "a column t | time | timestamp | frame, and x, y, z or ball_x, ball_y, ball_z" + (hasHeight ? "; --columns T,X,Y,Z names others" : "; without heights there are no flights to fit, and --columns T,X,Y,Z names a column of them"));
     }
 
-    /// <summary>Leaves the lines of the ball, if others are there.</summary>
-    private static void KeepBall(TrackTable table, TrackColumns columns, Action<string> said)
+    /// <summary>Keeps only the lines of the ball.</summary>
+    private static void KeepBall(TrackTable table, TrackColumns columns, Action<string> report)
     {
         foreach (int column in columns.Objects)
         {
             int balls = table.Lines.Count(line => IsBall(line[column]));
             if (balls > 0 && balls < table.Lines.Count)
             {
-                said(FormattableString.Invariant($"guessed: the ball's lines are the {balls} whose {Quote.Short(table.Header![column])} is ball."));
+                report(FormattableString.Invariant($"guessed: the ball's lines are the {balls} whose {Quote.Short(table.Header![column])} is ball."));
                 table.Lines.RemoveAll(line => !IsBall(line[column]));
                 return;
             }
@@ -126,10 +126,10 @@ internal static class TrackReader
 
     private static bool IsBall(string cell) => cell.Equals("ball", StringComparison.OrdinalIgnoreCase) || cell.StartsWith("DFL-OBJ", StringComparison.Ordinal);
 
-    private static double[][] Places(TrackTable table, TrackColumns columns, TrackFormat format, Action<string> said)
+    private static double[][] Places(TrackTable table, TrackColumns columns, TrackFormat format, Action<string> report)
     {
         char? mark = format.Decimal ?? (table.Separator == 0 ? '.' : null);
-        TrackNumbers[] numbers = TrackNumbers.Of(table, columns.Places, mark, said);
+        TrackNumbers[] numbers = TrackNumbers.Of(table, columns.Places, mark, report);
         double[][] places = [new double[table.Lines.Count], new double[table.Lines.Count], new double[table.Lines.Count]];
         for (int i = 0; i < table.Lines.Count; i++)
         {
@@ -144,7 +144,7 @@ internal static class TrackReader
             }
         }
 
-        TrackMissing.Remove(places, said);
+        TrackMissing.Remove(places, report);
         return places;
     }
 }

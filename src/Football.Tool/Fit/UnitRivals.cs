@@ -3,11 +3,14 @@ using FootballPhysics.Tool.Fit.Reading;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>Tries the units that a fall alone does not tell from metres: yards, and shares of a pitch across it with heights in metres.</summary>
-/// <remarks>Gravity, drag and lift together do: in the right unit the laws of flight describe the track to within its noise, in a wrong one they do not.</remarks>
+/// <summary>Tries the units that the fall alone does not distinguish from metres: yards, and shares of a pitch horizontally with heights in metres.</summary>
+/// <remarks>Gravity, drag and lift together distinguish them: the laws of flight describe the track to within its noise only in the correct unit.</remarks>
 internal static class UnitRivals
 {
-    /// <summary>A rival is right if its rms is this share of that in metres, and so many times the noise of three coordinates and the error of the laws, m.</summary>
+    /// <summary>
+    /// The limits of the rms in another unit: a share of that in metres, and a multiple of the noise of three coordinates plus the error of the laws,
+    /// in m.
+    /// </summary>
     private const double Share = 0.7;
     private const double NoiseShare = 2;
     private const double LawError = 0.003;
@@ -15,24 +18,24 @@ internal static class UnitRivals
     private const int LeastFlights = 2;
     private const double Shortest = 0.3;
 
-    /// <summary>So many points are enough to compare.</summary>
+    /// <summary>The maximum number of points that are compared.</summary>
     private const int Most = 3000;
 
-    /// <summary>The median rms of the flights, m: one that another ball or a touch spoils does not count.</summary>
+    /// <summary>Returns the median rms of the flights, in m. A flight that a touch or another ball spoils hardly changes it.</summary>
     private static double Usual(MatchFitResult fit)
     {
         double[] rms = [.. fit.Pieces.Where(piece => piece.Kind == MatchPieceKind.Flight && piece.Duration >= Shortest).Select(piece => piece.Rms).Order()];
         return rms.Length > 0 ? rms[rms.Length / 2] : double.PositiveInfinity;
     }
 
-    /// <summary>Throws if another unit describes a track whose unit was guessed.</summary>
+    /// <summary>Throws if another unit describes a track whose unit was guessed better.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="request">The request.</param>
-    /// <param name="reading">The track, taken for metres.</param>
-    /// <param name="fit">Its fit.</param>
-    /// <param name="said">Receives remarks.</param>
-    /// <exception cref="RefusedException">Another unit does.</exception>
-    public static void Check(Scene scene, MatchFitRequest request, TrackReading reading, MatchFitResult fit, Action<string> said)
+    /// <param name="reading">The track, read in metres.</param>
+    /// <param name="fit">The fit of the track.</param>
+    /// <param name="report">Receives remarks.</param>
+    /// <exception cref="RefusedException">Another unit describes the track better.</exception>
+    public static void Check(Scene scene, MatchFitRequest request, TrackReading reading, MatchFitResult fit, Action<string> report)
     {
         if (!reading.IsGuessed || fit.Flights < LeastFlights)
         {
@@ -63,7 +66,7 @@ internal static class UnitRivals
                 throw new RefusedException("All positions of TRACK are within 0 … 100, and the ball flies as one does if they are shares of a pitch. Give --unit percent with --pitch and --y right or left, or --unit m if these are metres.");
             }
 
-            said("guessed: positions within 0 … 100 are metres from a corner, not shares of a pitch; --unit percent if they are shares.");
+            report("guessed: positions within 0 … 100 are metres from a corner, not shares of a pitch; --unit percent if they are shares.");
         }
     }
 }

@@ -4,20 +4,21 @@ using nietras.SeparatedValues;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Splits CSV: finds the separator, leaves comments out, and finds the line of the header, if there is one.</summary>
+/// <summary>Splits CSV: finds the separator, skips comments, and finds the header line if there is one.</summary>
 internal static class CsvTable
 {
-    /// <summary>Lines in which separator and header are looked for.</summary>
+    /// <summary>The number of lines from which the separator and the header are determined.</summary>
     private const int Sample = 60;
 
-    /// <summary>A header is among so many first lines.</summary>
+    /// <summary>The number of first lines that can be the header.</summary>
     private const int Heading = 6;
 
     private static readonly char[] s_separators = ['\t', ';', '|', ',', ' '];
 
-    public static TrackTable Read(string text, TrackFormat format, Action<string> said)
+    public static TrackTable Read(string text, TrackFormat format, Action<string> report)
     {
-        // 1. Comments and a spreadsheet's line "sep=;" become empty lines, so that the numbers of lines stay. 2. The separator. 3. The cells. 4. The header.
+        // 1. Replace comments and a spreadsheet's line "sep=;" by empty lines, so that line numbers stay valid. 2. Find the separator. 3. Split the
+        // cells. 4. Find the header.
         string[] lines = text.Split(["\r\n", "\n", "\r"], StringSplitOptions.None);
         char? given = null;
         string? comment = null;
@@ -54,7 +55,7 @@ internal static class CsvTable
         FindHeader(table, comment is null ? null : [.. comment.Split(separator == '\t' ? null : [separator], StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries)], format);
         if (separator != ',')
         {
-            said($"guessed: cells are separated by {Name(separator)}.");
+            report($"guessed: cells are separated by {Name(separator)}.");
         }
 
         return table;
@@ -62,13 +63,13 @@ internal static class CsvTable
 
     private static string Name(char separator) => separator == '\t' ? "tabs or spaces" : separator == ';' ? "semicolons" : $"\"{separator}\"";
 
-    /// <summary>A line after # or //, but not one whose first cell is #N/A.</summary>
+    /// <summary>True if the line starts with #, // or %; false if its first cell is a missing value such as #N/A, or if it is only a %.</summary>
     private static bool IsComment(string line) =>
         line.StartsWith("//", StringComparison.Ordinal)
         || (line.StartsWith('#') && !TrackMissing.IsMissing(line.Split(s_separators, 2)[0]))
         || (line.StartsWith('%') && line.Length > 1);
 
-    /// <summary>The names in a comment, as numpy.savetxt writes them.</summary>
+    /// <summary>Returns the header in a comment, as numpy.savetxt writes it; null if the comment is not a header.</summary>
     private static string? HeaderIn(string line, TrackFormat format)
     {
         string inner = line.TrimStart('#', '/', '%', ' ');
@@ -77,7 +78,7 @@ internal static class CsvTable
 
     private static char Separator(string[] sample, TrackFormat format)
     {
-        // The separator under which a header's names are known; without a header the one that divides most lines in the same way.
+        // Prefer a separator that gives a known header. Otherwise use the one that splits most lines into the same number of cells.
         foreach (char separator in s_separators)
         {
             if (sample.Take(Heading).Any(line => TrackColumns.Find(Cells(line, separator), format) is not null))
@@ -97,7 +98,7 @@ internal static class CsvTable
         return best;
     }
 
-    /// <summary>The cells of one line, for a look at it.</summary>
+    /// <summary>Splits one line into cells, for the detection of the separator.</summary>
     private static string[] Cells(string line, char separator)
     {
         var cells = new List<string>();
@@ -124,7 +125,7 @@ internal static class CsvTable
         return [.. cells];
     }
 
-    /// <summary>Runs of spaces as one tab.</summary>
+    /// <summary>Replaces runs of spaces by one tab.</summary>
     private static string OfRuns(string line)
     {
         var text = new StringBuilder();
@@ -199,7 +200,7 @@ internal static class CsvTable
         }
         else if (lines.Count > 0 && !IsData(lines[0], format) && lines[0].Cells.Any(cell => cell.Any(char.IsLetter) && !TrackMissing.IsMissing(cell) && !TrackTimes.IsTime(cell)))
         {
-            // A header whose names are not known: by number, if they are given so.
+            // A header with unknown names: the columns are given by number.
             table.Header = lines[0].Cells;
             lines.RemoveAt(0);
         }

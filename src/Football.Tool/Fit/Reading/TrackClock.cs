@@ -2,16 +2,16 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>The times of a track's lines, in seconds.</summary>
-internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFormat format, Action<string> said)
+/// <summary>Reads the times of a track's lines, in seconds.</summary>
+internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFormat format, Action<string> report)
 {
-    /// <summary>Times of more than this are counted from the first, s: a date has no more digits to spare.</summary>
+    /// <summary>If the first time exceeds this, in s, times are counted from it: large times lose precision.</summary>
     private const double Epoch = 1e7;
 
     private static readonly double[] s_rates = [5, 10, 12.5, 15, 20, 24, 25, 29.97, 30, 48, 50, 59.94, 60, 90, 100, 120, 150, 200, 240, 250, 300, 500, 1000];
 
-    /// <summary>Seconds of each line; NaN if it has none.</summary>
-    /// <param name="places">Columns of positions as written, for a guess at a rate.</param>
+    /// <summary>Returns the time of each line, in s; NaN if it has none.</summary>
+    /// <param name="places">The columns of positions as written; used to suggest a frame rate.</param>
     public double[] Seconds(double[][] places)
     {
         int column = format.Rate is not null && columns.Frame >= 0 ? columns.Frame : columns.Time;
@@ -22,7 +22,7 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
         double start = times.Where(double.IsFinite).DefaultIfEmpty(0).Min();
         if (Math.Abs(start) > Epoch)
         {
-            said(FormattableString.Invariant($"guessed: times count from {start:0.###} s, the first."));
+            report(FormattableString.Invariant($"guessed: times count from {start:0.###} s, the first."));
             times = [.. times.Select(time => time - start)];
         }
 
@@ -69,7 +69,7 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
 
     private double[] Numbers(int column, string[] cells, double[][] places)
     {
-        TrackNumbers numbers = TrackNumbers.Of(table, [column], format.Decimal ?? (table.Separator == 0 ? '.' : null), said: _ => { })[0];
+        TrackNumbers numbers = TrackNumbers.Of(table, [column], format.Decimal ?? (table.Separator == 0 ? '.' : null), report: _ => { })[0];
         double[] times = new double[cells.Length];
         for (int i = 0; i < cells.Length; i++)
         {
@@ -82,7 +82,7 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
         return [.. times.Select(time => time * seconds)];
     }
 
-    /// <summary>Seconds of a unit of the times.</summary>
+    /// <summary>Returns the duration of a time unit, in s.</summary>
     private double Unit(int column, double wait, double[] times, double[][] places)
     {
         if (format.Rate is { } rate)
@@ -118,13 +118,13 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
 
         if (unit is not null)
         {
-            said($"guessed: times are {unit}, because they go up by {wait.ToString("0.###", System.Globalization.CultureInfo.InvariantCulture)}; --time-unit gives another unit.");
+            report($"guessed: times are {unit}, because they go up by {wait.ToString("0.###", System.Globalization.CultureInfo.InvariantCulture)}; --time-unit gives another unit.");
         }
 
         return unit is null ? 1 : TrackFormat.Seconds(unit)!.Value;
     }
 
-    /// <summary>The rate at which a ball in metres would fall as one does, as an advice.</summary>
+    /// <summary>Suggests a frame rate: the one at which the ball falls with g if positions are in metres.</summary>
     private string Likely(double[] frames, double[][] places)
     {
         double metres = table.Unit is { } unit ? TrackFormat.Metres(unit)!.Value : 1;
@@ -140,7 +140,7 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
         return FormattableString.Invariant($"; by the fall of the ball it is about {usual}, if heights are {table.Unit ?? "m"}");
     }
 
-    /// <summary>Without a header, a column that does not go up is not one of times.</summary>
+    /// <summary>Throws if a file without a header has a first column that does not increase, because it is then not a time.</summary>
     private void RefuseUnsorted(double[] times)
     {
         double[] seen = [.. times.Where(double.IsFinite)];

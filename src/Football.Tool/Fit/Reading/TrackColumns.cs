@@ -12,7 +12,7 @@ internal sealed record TrackColumns
     private static readonly string[] s_periods = ["period", "period_id", "half", "section", "game_section", "gamesection", "period_number"];
     private static readonly string[] s_objects = ["object", "object_id", "object_type", "entity", "entity_id", "type", "team", "team_id", "team_name", "name", "player", "player_id", "group", "group_name", "track_id", "class", "label", "participation_id"];
 
-    /// <summary>Prefix and suffix of x, y and z in the names of a ball's columns, the surest first.</summary>
+    /// <summary>The prefixes and suffixes of x, y and z in column names of a ball, from the most to the least certain.</summary>
     private static readonly (string Before, string After)[] s_families =
     [
         ("ball_", ""), ("", "_ball"), ("ball_data_", ""), ("ball_pos_", ""), ("ball_position_", ""), ("balls_", ""), ("ball_0_", ""), ("ball_xyz_", ""), ("ball_coordinates_", ""), ("ball_center_", ""),
@@ -35,28 +35,28 @@ internal sealed record TrackColumns
 
     public required int[] Places { get; init; }
 
-    /// <summary>Column of frame numbers, or −1.</summary>
+    /// <summary>The index of the column of frame numbers; −1 if there is none.</summary>
     public int Frame { get; init; } = -1;
 
-    /// <summary>Column of the half, or −1.</summary>
+    /// <summary>The index of the column of the half; −1 if there is none.</summary>
     public int Period { get; init; } = -1;
 
-    /// <summary>Columns that may say which lines are the ball's.</summary>
+    /// <summary>The indices of columns that may identify the lines of the ball.</summary>
     public int[] Objects { get; init; } = [];
 
-    /// <summary>Unit of the times, or null.</summary>
+    /// <summary>The unit of the times; null if not stated.</summary>
     public string? TimeUnit { get; init; }
 
-    /// <summary>Units of x, y and z, or null.</summary>
+    /// <summary>The units of x, y and z; null if not stated.</summary>
     public string?[] Units { get; init; } = [null, null, null];
 
-    /// <summary>The columns under a header, or null if it is not one.</summary>
+    /// <summary>Returns the columns of a header; null if the names are not those of a track.</summary>
     public static TrackColumns? Find(string[] header, TrackFormat format)
     {
         string[] names = [.. header.Select(Plain)];
-        if (format.Columns is { } wanted)
+        if (format.Columns is { } chosen)
         {
-            int[] at = [.. wanted.Select(name => Array.IndexOf(header, name) is >= 0 and { } exact ? exact : Array.IndexOf(names, Plain(name)))];
+            int[] at = [.. chosen.Select(name => Array.IndexOf(header, name) is >= 0 and { } exact ? exact : Array.IndexOf(names, Plain(name)))];
             return at.Min() < 0 ? null : Of(names, at[0], at[1..], [.. at[1..].Select(i => Unit(names[i], s_lengths))]);
         }
 
@@ -67,7 +67,7 @@ internal sealed record TrackColumns
             time = Array.FindIndex(names, name => s_times.Any(plain => name == plain + s_durations[i].Suffix));
         }
 
-        // An index without a name, as pandas writes one, counts if there is no other time.
+        // If there is no other time, use an unnamed index, as pandas writes it.
         time = time >= 0 ? time : frame >= 0 ? frame : Array.FindIndex(names, name => name is "" or "index" or "unnamed_0");
         if (time < 0)
         {
@@ -92,19 +92,19 @@ internal sealed record TrackColumns
         return null;
     }
 
-    /// <summary>The columns of a table without a header: by number, or the four of t, x, y and z.</summary>
+    /// <summary>Returns the columns of a table without a header: by number, or the four columns t, x, y and z.</summary>
     public static TrackColumns? ByNumber(TrackFormat format, int count)
     {
-        if (format.Columns is { } wanted)
+        if (format.Columns is { } chosen)
         {
-            int[] at = [.. wanted.Select(text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= 1 && number <= count ? number - 1 : -1)];
+            int[] at = [.. chosen.Select(text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= 1 && number <= count ? number - 1 : -1)];
             return at.Min() < 0 ? null : new TrackColumns { Time = at[0], Places = at[1..] };
         }
 
         return count == 4 ? new TrackColumns { Time = 0, Places = [1, 2, 3] } : null;
     }
 
-    /// <summary>Throws if a name that counts is there twice.</summary>
+    /// <summary>Throws if the name of a used column occurs twice.</summary>
     public void RefuseTwins(string[] header)
     {
         foreach (int column in (int[])[Time, .. Places])
@@ -166,7 +166,7 @@ internal sealed record TrackColumns
         return null;
     }
 
-    /// <summary>A name in small letters, words joined by underscores: "Ball X [cm]" and "ballX_cm" are "ball_x_cm".</summary>
+    /// <summary>Returns a name in lower case with words joined by underscores: "Ball X [cm]" and "ballX_cm" become "ball_x_cm".</summary>
     private static string Plain(string name)
     {
         var text = new StringBuilder();

@@ -1,33 +1,33 @@
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>The acceleration with which one coordinate of a track falls in flight: the median over short parabolas that describe it.</summary>
-/// <param name="Fall">Median acceleration downwards, in the units of the file; negative if the coordinate falls upwards.</param>
-/// <param name="Spread">Distance of the quartiles by the median.</param>
+/// <summary>The acceleration at which a coordinate of a track falls in flight: the median over short parabolas that describe it.</summary>
+/// <param name="Fall">The median downward acceleration, in units of the file; negative if the coordinate accelerates upwards.</param>
+/// <param name="Spread">The interquartile range relative to the median.</param>
 /// <param name="Windows">The number of parabolas; 0 if they bend both ways.</param>
 internal readonly record struct TrackFall(double Fall, double Spread, int Windows)
 {
-    /// <summary>A parabola takes this time, s, if that is between so many points.</summary>
+    /// <summary>The duration of a parabola, in s, within limits of the number of points.</summary>
     private const double Span = 0.36;
     private const int LeastPoints = 7;
     private const int MostPoints = 24;
 
-    /// <summary>A parabola describes a flight if its sag is so many times its residual, and this share of the heights.</summary>
+    /// <summary>The minimum sag of a parabola that describes a flight: as a multiple of its residual, and as a share of the range of heights.</summary>
     private const double SagShare = 8;
     private const double HeightShare = 0.004;
 
-    /// <summary>A flight is higher than this share of the heights.</summary>
+    /// <summary>The minimum height of a flight, as a share of the range of heights.</summary>
     private const double GroundShare = 0.05;
 
     private const int LeastWindows = 6;
     private const double MostSpread = 0.7;
 
-    /// <summary>The least share of parabolas that bend the same way.</summary>
+    /// <summary>The minimum share of parabolas that bend the same way.</summary>
     private const double LeastAgreement = 0.9;
 
-    /// <summary>True if the parabolas agree, so that the coordinate is a height.</summary>
+    /// <summary>True if the parabolas agree. The coordinate is then a height.</summary>
     public bool IsSure => Windows >= LeastWindows && Spread < MostSpread;
 
-    /// <summary>Measures a coordinate.</summary>
+    /// <summary>Measures the fall of a coordinate.</summary>
     public static TrackFall Of(double[] times, double[] values)
     {
         double wait = TrackTimes.UsualWait(times);
@@ -44,7 +44,7 @@ internal readonly record struct TrackFall(double Fall, double Spread, int Window
                 continue;
             }
 
-            // A ball on the ground does not fall.
+            // Skip points on the ground.
             if (Lowest(values.AsSpan(from, points)) < low + (GroundShare * range))
             {
                 continue;
@@ -80,7 +80,7 @@ internal readonly record struct TrackFall(double Fall, double Spread, int Window
         return lowest;
     }
 
-    /// <summary>Second derivative of the parabola through some points, and the root of the mean square of their distances from it.</summary>
+    /// <summary>Returns the second derivative of the least-squares parabola through some points, and computes the rms of the residuals.</summary>
     private static double Parabola(ReadOnlySpan<double> times, ReadOnlySpan<double> values, out double residual)
     {
         // Orthogonal polynomials on these times: 1, u = t − mean, q = u² − b u − c

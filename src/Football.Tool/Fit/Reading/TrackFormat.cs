@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>How a track is written, as far as it is given; the reader finds the rest in the file.</summary>
+/// <summary>The given properties of a track file. The reader finds the others in the file.</summary>
 internal sealed record TrackFormat
 {
     private static readonly Dictionary<string, double> s_lengths = new(StringComparer.OrdinalIgnoreCase)
@@ -19,34 +19,34 @@ internal sealed record TrackFormat
 
     private static readonly Dictionary<string, double> s_times = new(StringComparer.OrdinalIgnoreCase) { ["s"] = 1, ["ms"] = 1e-3, ["us"] = 1e-6, ["ns"] = 1e-9, ["min"] = 60 };
 
-    /// <summary>Unit of the coordinates: m, cm, mm, km, ft, yd, in, pitch (0 … 1) or percent (0 … 100); null to find it.</summary>
+    /// <summary>The unit of the coordinates: m, cm, mm, km, ft, yd, in, pitch (0 … 1) or percent (0 … 100); null to find it.</summary>
     public string? Unit { get; init; }
 
-    /// <summary>Unit of the times: s, ms, us, ns or min; null to find it.</summary>
+    /// <summary>The unit of the times: s, ms, us, ns or min; null to find it.</summary>
     public string? TimeUnit { get; init; }
 
-    /// <summary>Frames a second; null if times are given.</summary>
+    /// <summary>The frame rate, per second; null if times are given.</summary>
     public double? Rate { get; init; }
 
-    /// <summary>Length and width of the pitch, m.</summary>
+    /// <summary>The length and width of the pitch, in m.</summary>
     public (double Length, double Width)? Pitch { get; init; }
 
-    /// <summary>True if y points to the right of x, false if it points to the left; null if that is not given.</summary>
+    /// <summary>True if y points to the right of x, false if it points to the left; null if unknown.</summary>
     public bool? IsYDown { get; init; }
 
     /// <summary>True if y points up and z across, false if z points up; null to find it.</summary>
     public bool? IsYUp { get; init; }
 
-    /// <summary>The mark between whole numbers and decimals, a point or a comma; null to find it.</summary>
+    /// <summary>The decimal mark, a point or a comma; null to find it.</summary>
     public char? Decimal { get; init; }
 
-    /// <summary>Names or numbers, from 1, of the columns of t, x, y and z; null to find them.</summary>
+    /// <summary>The names, or numbers from 1, of the columns t, x, y and z; null to find them.</summary>
     public string[]? Columns { get; init; }
 
-    /// <summary>Metres of a unit of length, or null.</summary>
+    /// <summary>Returns the length of a unit, in m; null if the unit is unknown.</summary>
     public static double? Metres(string unit) => s_lengths.TryGetValue(unit, out double metres) ? metres : null;
 
-    /// <summary>Seconds of a unit of time, or null.</summary>
+    /// <summary>Returns the duration of a unit, in s; null if the unit is unknown.</summary>
     public static double? Seconds(string unit) => s_times.TryGetValue(unit, out double seconds) ? seconds : null;
 
     /// <summary>Reads the options of a command.</summary>

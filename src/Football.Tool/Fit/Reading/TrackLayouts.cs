@@ -5,24 +5,26 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Layouts of trackers that are not CSV: TRACAB's lines of frames, the XML of Sportec and the DFL, and JSON as SkillCorner and data frames write it.</summary>
+/// <summary>
+/// Reads tracker files that are not CSV: TRACAB's lines of frames, the XML of Sportec and the DFL, and JSON as SkillCorner and data frames write it.
+/// </summary>
 internal static partial class TrackLayouts
 {
-    /// <summary>Nesting of an object that is looked into.</summary>
+    /// <summary>The maximum nesting of objects that are read.</summary>
     private const int Deepest = 4;
 
-    /// <summary>The maximum number of different members of all moments: each is a column, with a cell for every moment.</summary>
+    /// <summary>The maximum number of different members of all moments. Each member is a column with a cell for every moment.</summary>
     private const int MostColumns = 1000;
 
-    /// <summary>The table of a file, or null if it has none of these layouts.</summary>
-    public static TrackTable? Find(string text, Action<string> said)
+    /// <summary>Returns the table of a file; null if it has none of these layouts.</summary>
+    public static TrackTable? Find(string text, Action<string> report)
     {
         string start = text.AsSpan(0, Math.Min(text.Length, 400)).TrimStart().ToString();
         try
         {
-            return start.StartsWith('<') ? Sportec(text, said)
-                : start.StartsWith('{') || start.StartsWith('[') ? Json(text, said)
-                : TracabFrame().IsMatch(start) ? Tracab(text, said)
+            return start.StartsWith('<') ? Sportec(text, report)
+                : start.StartsWith('{') || start.StartsWith('[') ? Json(text, report)
+                : TracabFrame().IsMatch(start) ? Tracab(text, report)
                 : null;
         }
         catch (Exception e) when (e is JsonException or XmlException or InvalidOperationException)
@@ -31,10 +33,10 @@ internal static partial class TrackLayouts
         }
     }
 
-    /// <summary>frame:player;player;…:x,y,z,speed,team,status;: in centimetres.</summary>
-    private static TrackTable Tracab(string text, Action<string> said)
+    /// <summary>Reads frame:player;player;…:x,y,z,speed,team,status;: in centimetres.</summary>
+    private static TrackTable Tracab(string text, Action<string> report)
     {
-        said("guessed: TRACAB's layout, in centimetres; the ball is in the third part of each line.");
+        report("guessed: TRACAB's layout, in centimetres; the ball is in the third part of each line.");
         var table = new TrackTable { Header = ["frame", "ball_x", "ball_y", "ball_z"], Unit = "cm" };
         long number = 0;
         foreach (string line in text.Split('\n'))
@@ -55,8 +57,8 @@ internal static partial class TrackLayouts
         return table;
     }
 
-    /// <summary>Frames with T, X, Y, Z in the FrameSet of the ball.</summary>
-    private static TrackTable? Sportec(string text, Action<string> said)
+    /// <summary>Reads the frames with T, X, Y, Z in the FrameSet of the ball.</summary>
+    private static TrackTable? Sportec(string text, Action<string> report)
     {
         var table = new TrackTable { Header = ["time", "x", "y", "z", "section"], Unit = "m" };
         using var reader = XmlReader.Create(new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit });
@@ -81,12 +83,12 @@ internal static partial class TrackLayouts
             throw new RefusedException("TRACK is XML without a FrameSet whose TeamId is BALL. Give the positions file of Sportec or the DFL, or CSV with a header t,x,y,z.");
         }
 
-        said("guessed: the layout of Sportec and the DFL, in metres.");
+        report("guessed: the layout of Sportec and the DFL, in metres.");
         return table;
     }
 
-    /// <summary>An object a line, or an array of objects; the names of nested ones are joined.</summary>
-    private static TrackTable Json(string text, Action<string> said)
+    /// <summary>Reads one object per line, or an array of objects. The names of nested members are joined.</summary>
+    private static TrackTable Json(string text, Action<string> report)
     {
         var records = new List<(long Line, Dictionary<string, string> Cells)>();
         string trimmed = text.Trim();
@@ -123,7 +125,7 @@ internal static partial class TrackLayouts
             throw new RefusedException("TRACK", FormattableString.Invariant($"JSON with more than {MostColumns} different members"), FormattableString.Invariant($"at most {MostColumns}"));
         }
 
-        said("guessed: JSON, an object for each moment.");
+        report("guessed: JSON, an object for each moment.");
         var table = new TrackTable { Header = names };
         table.Lines.AddRange(records.Select(record => new TrackLine(record.Line, [.. names.Select(name => record.Cells.GetValueOrDefault(name, ""))])));
         return table;
@@ -147,7 +149,7 @@ internal static partial class TrackLayouts
         }
         else if (item.ValueKind == JsonValueKind.Array)
         {
-            // Of a list of objects the only one that has a height is the ball; three numbers are a place.
+            // In a list of objects, the only one with a height is the ball. Three numbers are a position.
             JsonElement[] high = [.. item.EnumerateArray().Where(part => part.ValueKind == JsonValueKind.Object && part.TryGetProperty("z", out JsonElement z) && z.ValueKind == JsonValueKind.Number)];
             JsonElement[] parts = [.. item.EnumerateArray()];
             if (high.Length == 1)

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Finds cells and lines that stand for a ball that was not seen.</summary>
+/// <summary>Finds cells and lines in which the ball was not seen.</summary>
 internal static class TrackMissing
 {
     private static readonly HashSet<string> s_words = new(StringComparer.OrdinalIgnoreCase)
@@ -11,22 +11,22 @@ internal static class TrackMissing
 
     private static readonly double[] s_codes = [-999, -9999, -99999, -999999, 9999, 99999, 999999, -32768, 32767, -2147483648, 2147483647];
 
-    /// <summary>A place that jumps by so many usual large steps, and back, is a code.</summary>
+    /// <summary>The minimum jump to and from a code for "not seen", as a multiple of the median step.</summary>
     private const double Jump = 10;
 
-    /// <summary>True if a cell stands for no number.</summary>
+    /// <summary>True if a cell contains no number.</summary>
     public static bool IsMissing(string cell) => s_words.Contains(cell);
 
-    /// <summary>Marks lines whose place is a code for "not seen" as NaN.</summary>
-    /// <param name="places">Three columns of numbers as written; NaN where there is none.</param>
-    /// <param name="said">Receives remarks.</param>
-    public static void Remove(double[][] places, Action<string> said)
+    /// <summary>Replaces positions that are a code for "not seen" by NaN.</summary>
+    /// <param name="places">The three columns of numbers as written; NaN for missing numbers.</param>
+    /// <param name="report">Receives remarks.</param>
+    public static void Remove(double[][] places, Action<string> report)
     {
-        RemoveCodes(places, said);
-        RemoveParked(places, said);
+        RemoveCodes(places, report);
+        RemoveParked(places, report);
     }
 
-    private static void RemoveCodes(double[][] places, Action<string> said)
+    private static void RemoveCodes(double[][] places, Action<string> report)
     {
         int removed = 0;
         double last = 0;
@@ -55,19 +55,19 @@ internal static class TrackMissing
 
         if (removed > 0)
         {
-            said(FormattableString.Invariant($"guessed: {last} stands for a ball that was not seen, in {removed} lines."));
+            report(FormattableString.Invariant($"guessed: {last} stands for a ball that was not seen, in {removed} lines."));
         }
     }
 
-    /// <summary>The 90th percentile of magnitudes, codes left out.</summary>
+    /// <summary>Returns the 90th percentile of the magnitudes, without codes.</summary>
     private static double Largest(double[] column)
     {
         double[] sorted = [.. column.Where(value => !double.IsNaN(value) && Array.IndexOf(s_codes, value) < 0).Select(Math.Abs).Order()];
         return sorted.Length > 0 ? sorted[9 * (sorted.Length - 1) / 10] : 0;
     }
 
-    /// <summary>Places such as (0, 0, −10) or (0, 0, 0) at which a tracker parks a ball that it does not see.</summary>
-    private static void RemoveParked(double[][] places, Action<string> said)
+    /// <summary>Removes positions such as (0, 0, −10) or (0, 0, 0), which some trackers write for a ball that they do not see.</summary>
+    private static void RemoveParked(double[][] places, Action<string> report)
     {
         int count = places[0].Length;
         double usual = UsualStep(places);
@@ -103,7 +103,7 @@ internal static class TrackMissing
 
         foreach (((double x, double y, double z), int lines) in parked)
         {
-            said(FormattableString.Invariant($"guessed: ({x}, {y}, {z}) stands for a ball that was not seen, in {lines} lines."));
+            report(FormattableString.Invariant($"guessed: ({x}, {y}, {z}) stands for a ball that was not seen, in {lines} lines."));
         }
     }
 
@@ -126,7 +126,7 @@ internal static class TrackMissing
         return at < places[0].Length ? at : -1;
     }
 
-    /// <summary>Distance between two lines; 0 if there is none before or behind.</summary>
+    /// <summary>Returns the distance between two lines; 0 if one of them does not exist.</summary>
     private static double Step(double[][] places, int a, int b)
     {
         if (a < 0 || b < 0)
@@ -140,7 +140,7 @@ internal static class TrackMissing
         return Math.Sqrt((x * x) + (y * y) + (z * z));
     }
 
-    /// <summary>Median of the steps of a ball that moves.</summary>
+    /// <summary>Returns the median step of a moving ball.</summary>
     private static double UsualStep(double[][] places)
     {
         double[] steps = [.. Enumerable.Range(1, Math.Max(0, places[0].Length - 1)).Select(i => Step(places, i - 1, i)).Where(step => step > 0).Order()];

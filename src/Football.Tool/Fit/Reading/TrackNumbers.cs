@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Reads the numbers of a column: finds its decimal mark, and takes thousands separators only if they are certain.</summary>
+/// <summary>Reads the numbers of a column. It finds the decimal mark, and accepts thousands separators only if they are certain.</summary>
 internal sealed class TrackNumbers
 {
     private const string Advice = "Give --decimal point or --decimal comma, or write numbers without thousands separators";
@@ -12,13 +12,13 @@ internal sealed class TrackNumbers
 
     private TrackNumbers(char mark) => _mark = mark;
 
-    /// <summary>The way in which some columns write numbers.</summary>
+    /// <summary>Finds the notation of numbers in some columns.</summary>
     /// <param name="table">The table.</param>
     /// <param name="columns">The columns.</param>
-    /// <param name="given">The mark that is given, or null.</param>
-    /// <param name="said">Receives remarks.</param>
-    /// <exception cref="RefusedException">The mark cannot be told.</exception>
-    public static TrackNumbers[] Of(TrackTable table, int[] columns, char? given, Action<string> said)
+    /// <param name="given">The given decimal mark; null to find it.</param>
+    /// <param name="report">Receives remarks.</param>
+    /// <exception cref="RefusedException">The decimal mark is ambiguous.</exception>
+    public static TrackNumbers[] Of(TrackTable table, int[] columns, char? given, Action<string> report)
     {
         var seen = columns.Select(column => Evidence.Of(table, column)).ToArray();
         bool points = seen.Any(column => column.Point is not null);
@@ -47,13 +47,13 @@ internal sealed class TrackNumbers
 
         if (given is null && marks.Any(mark => mark._mark == ','))
         {
-            said("guessed: numbers have decimal commas.");
+            report("guessed: numbers have decimal commas.");
         }
 
         return marks;
     }
 
-    /// <summary>The number in a cell, or null if it is not one.</summary>
+    /// <summary>Returns the number in a cell; null if the cell is not a number.</summary>
     public double? Read(string cell)
     {
         if (_mark == '.' && double.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out double plain))
@@ -77,7 +77,7 @@ internal sealed class TrackNumbers
         return double.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? value : null;
     }
 
-    /// <summary>The signs of a decimal mark in a column, each as the place of the first cell that has it.</summary>
+    /// <summary>The evidence for a decimal mark in a column: for each kind, the first cell that shows it.</summary>
     private sealed record Evidence(string? Point, string? Comma, string? MaybePoint, string? MaybeComma, bool HasBoth)
     {
         public static Evidence Of(TrackTable table, int column)

@@ -2,25 +2,27 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Brings the lines of a track into the order of time; a clock that begins again with a half or a match goes on a minute later.</summary>
+/// <summary>
+/// Sorts the lines of a track by time. If the clock restarts with a half or a match, the later part is shifted to a minute after the earlier one.
+/// </summary>
 internal static class TrackOrder
 {
-    /// <summary>Between parts whose times are shifted, s.</summary>
+    /// <summary>The time between parts whose times are shifted, in s.</summary>
     private const double BetweenParts = 60;
 
-    /// <summary>A clock begins again at most so often, and runs for so many lines.</summary>
+    /// <summary>The maximum number of restarts of a clock, and the minimum number of lines in a part.</summary>
     private const int MostParts = 40;
     private const int LeastLines = 8;
 
-    /// <summary>More lines than this share with the time of another line and another place are another ball's.</summary>
+    /// <summary>The maximum share of lines with the time of another line but another position. More such lines belong to several balls.</summary>
     private const double MostRepeats = 0.02;
 
-    /// <summary>Sorts moments.</summary>
-    /// <param name="moments">Times and places, as in the file; places are NaN if the ball was not seen.</param>
-    /// <param name="numbers">Their lines.</param>
-    /// <param name="isPart">True for a line of another half than the one above.</param>
-    /// <param name="said">Receives remarks.</param>
-    public static void Sort(List<(double Time, Vector3d Place)> moments, List<long> numbers, Func<int, bool> isPart, Action<string> said)
+    /// <summary>Sorts the moments.</summary>
+    /// <param name="moments">The times and positions as in the file; positions are NaN if the ball was not seen.</param>
+    /// <param name="numbers">The line numbers of the moments.</param>
+    /// <param name="isPart">True if the half of a line differs from that of the line before.</param>
+    /// <param name="report">Receives remarks.</param>
+    public static void Sort(List<(double Time, Vector3d Place)> moments, List<long> numbers, Func<int, bool> isPart, Action<string> report)
     {
         List<int> backwards = [];
         for (int i = 1; i < moments.Count; i++)
@@ -39,11 +41,11 @@ internal static class TrackOrder
 
         if (BeginsAgain(moments, backwards, isPart))
         {
-            Shift(moments, numbers, backwards, said);
+            Shift(moments, numbers, backwards, report);
         }
         else
         {
-            // A stable sort: lines of one time stay in their order.
+            // The sort is stable: lines with equal times keep their order.
             int[] order = [.. Enumerable.Range(0, moments.Count).OrderBy(i => moments[i].Time)];
             (double Time, Vector3d Place)[] sorted = [.. order.Select(i => moments[i])];
             long[] lines = [.. order.Select(i => numbers[i])];
@@ -51,13 +53,13 @@ internal static class TrackOrder
             moments.AddRange(sorted);
             numbers.Clear();
             numbers.AddRange(lines);
-            said(FormattableString.Invariant($"guessed: lines are out of order; {backwards.Count} times go back, and all lines were sorted by time."));
+            report(FormattableString.Invariant($"guessed: lines are out of order; {backwards.Count} times go back, and all lines were sorted by time."));
         }
 
         RefuseRepeats(moments, numbers);
     }
 
-    /// <summary>True if the times that go back are those of parts that each begin again: of halves, or where the parts share times.</summary>
+    /// <summary>True if the clock restarts: at each step back a new half starts, or the parts overlap in time.</summary>
     private static bool BeginsAgain(List<(double Time, Vector3d Place)> moments, List<int> backwards, Func<int, bool> isPart)
     {
         if (backwards.All(isPart))
@@ -82,7 +84,7 @@ internal static class TrackOrder
         return Enumerable.Range(1, parts.Count - 1).Any(i => parts[i].First < parts[i - 1].Last);
     }
 
-    private static void Shift(List<(double Time, Vector3d Place)> moments, List<long> numbers, List<int> backwards, Action<string> said)
+    private static void Shift(List<(double Time, Vector3d Place)> moments, List<long> numbers, List<int> backwards, Action<string> report)
     {
         double shift = 0;
         int next = 0;
@@ -95,7 +97,7 @@ internal static class TrackOrder
                 shift += last + BetweenParts - time;
                 time = last + BetweenParts;
                 next++;
-                said(FormattableString.Invariant($"line {numbers[i]}: the clock begins again; from here on times are {shift:0.###} s later than written."));
+                report(FormattableString.Invariant($"line {numbers[i]}: the clock begins again; from here on times are {shift:0.###} s later than written."));
             }
 
             moments[i] = (time, moments[i].Place);

@@ -3,13 +3,13 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>The text of a track's file; refuses files that are not text.</summary>
+/// <summary>Reads the text of a track file; rejects files that are not text.</summary>
 internal static class TrackText
 {
-    /// <summary>The maximum length of a file, in bytes: its text must fit into one string.</summary>
+    /// <summary>The maximum size of a file, in bytes: its text must fit into one string.</summary>
     private const long LongestFile = 1L << 29;
 
-    /// <summary>First bytes of files that people take for tables, and how to make one of them.</summary>
+    /// <summary>The first bytes of binary files that are often passed instead of a table, with advice on conversion.</summary>
     private static readonly (byte[] First, string Kind, string Advice)[] s_others =
     [
         ([0x50, 0x4B, 3, 4], "a ZIP archive or a spreadsheet", "Unpack it, or save it as CSV"),
@@ -20,7 +20,7 @@ internal static class TrackText
 
     /// <summary>Reads the text.</summary>
     /// <param name="stream">The file, or standard input, whose length is unknown.</param>
-    /// <param name="longest">The maximum length, in bytes.</param>
+    /// <param name="longest">The maximum size, in bytes.</param>
     public static string Read(Stream stream, long longest = LongestFile)
     {
         if (stream.CanSeek && stream.Length > longest)
@@ -56,7 +56,7 @@ internal static class TrackText
 
     private static RefusedException TooLong(string length, long longest) => new("TRACK", length, FormattableString.Invariant($"at most {longest} bytes"));
 
-    /// <summary>UTF-16 without a mark: every second of the first bytes is zero.</summary>
+    /// <summary>Returns UTF-16 without a byte order mark if every second one of the first bytes is zero; otherwise null.</summary>
     private static UnicodeEncoding? Utf16(ReadOnlySpan<byte> content)
     {
         if (content.Length < 16)

@@ -4,14 +4,14 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Reads times: numbers, clocks, durations as pandas and ISO 8601 write them, and dates.</summary>
+/// <summary>Reads times: numbers, clocks, dates, and durations of pandas and ISO 8601.</summary>
 internal static partial class TrackTimes
 {
-    /// <summary>True if a cell is a number or any other time.</summary>
+    /// <summary>True if a cell is a number or another time.</summary>
     public static bool IsTime(string cell) =>
         double.TryParse(cell.Replace(',', '.'), NumberStyles.Float, CultureInfo.InvariantCulture, out _) || Clock(cell) is not null || Date(cell) is not null;
 
-    /// <summary>Seconds of a clock or a duration, or null: m:ss.cc, h:mm:ss, d.hh:mm:ss, −1 days +23:59:59.96, PT1M2.5S.</summary>
+    /// <summary>Returns the seconds of a clock or a duration such as m:ss.cc, h:mm:ss, d.hh:mm:ss, −1 days +23:59:59.96 or PT1M2.5S; otherwise null.</summary>
     public static double? Clock(string cell)
     {
         string text = cell.Replace('\u2212', '-');
@@ -37,24 +37,24 @@ internal static partial class TrackTimes
         return null;
     }
 
-    /// <summary>A date with a time of the day, or null.</summary>
+    /// <summary>Returns a date with a time of day; null if the cell is not one.</summary>
     public static DateTimeOffset? Date(string cell) =>
         cell.Length >= 14 && cell.Contains(':', StringComparison.Ordinal)
         && DateTimeOffset.TryParse(Fraction().Replace(cell, ".$1"), CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out DateTimeOffset date)
             ? date
             : null;
 
-    /// <summary>Seconds of a timecode h:mm:ss:ff, or null.</summary>
+    /// <summary>Returns the seconds of a timecode h:mm:ss:ff; null if the cell is not one.</summary>
     public static double? Timecode(string cell, double rate)
     {
         Match match = Frames().Match(cell);
         return match.Success ? (3600 * Value(match, "h")) + (60 * Value(match, "m")) + Value(match, "s") + (Value(match, "f") / rate) : null;
     }
 
-    /// <summary>True for h:mm:ss:ff.</summary>
+    /// <summary>True if the cell is a timecode h:mm:ss:ff.</summary>
     public static bool IsTimecode(string cell) => Frames().IsMatch(cell);
 
-    /// <summary>The usual wait between two times, the smaller first; 0 if there is none.</summary>
+    /// <summary>Returns the median wait between successive times, in order; 0 if there is none.</summary>
     public static double UsualWait(IReadOnlyList<double> times)
     {
         double[] sorted = [.. times.Where(double.IsFinite).Order()];
@@ -62,8 +62,8 @@ internal static partial class TrackTimes
         return waits.Length > 0 ? waits[waits.Length / 2] : 0;
     }
 
-    /// <summary>The unit that numbers are in: by their usual wait. Null for seconds.</summary>
-    /// <exception cref="RefusedException">They may be frame numbers.</exception>
+    /// <summary>Returns the unit of numeric times by their usual wait; null for seconds.</summary>
+    /// <exception cref="RefusedException">The numbers may be frame numbers.</exception>
     public static string? Unit(double wait)
     {
         return wait switch

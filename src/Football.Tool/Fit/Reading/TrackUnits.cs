@@ -2,24 +2,23 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit.Reading;
 
-/// <summary>Positions of a track in the library's frame, m.</summary>
+/// <summary>The positions of a track in the library's coordinates, in m.</summary>
 /// <param name="Places">The positions.</param>
-/// <param name="IsGuessed">True if they were taken for metres without a word about it in the file or from the user.</param>
-/// <param name="IsShare">True if all were within 0 … 100 as written.</param>
+/// <param name="IsGuessed">True if neither the file nor the user states that the unit is the metre.</param>
+/// <param name="IsShare">True if all coordinates were within 0 … 100 as written.</param>
 internal sealed record TrackReading(Vector3d[] Places, bool IsGuessed, bool IsShare)
 {
-    /// <summary>The points.</summary>
     public TrackPoint[] Points { get; init; } = [];
 }
 
-/// <summary>Finds the unit and the frame of a track's coordinates: as given, as its header states, or by how the ball falls in flight.</summary>
+/// <summary>Finds the unit and the axes of a track's coordinates: as given, as stated in the header, or from the ball's fall in flight.</summary>
 internal sealed class TrackUnits
 {
-    /// <summary>The fall in the right unit is within these shares of g. Drag and lift change it by less, a wrong unit by more.</summary>
+    /// <summary>The range of the fall in the correct unit, as shares of g. Drag and lift change the fall by less, a wrong unit by more.</summary>
     private const double LeastShare = 0.5;
     private const double MostShare = 1.55;
 
-    /// <summary>No ball moves so fast for a twentieth of its track, m/s, or over so large a pitch, m.</summary>
+    /// <summary>The limits of a ball: a speed that it exceeds in less than a twentieth of its track, in m/s, and the size of a pitch, in m.</summary>
     private const double MostSpeed = 75;
     private const double MostExtent = 1000;
 
@@ -31,28 +30,28 @@ internal sealed class TrackUnits
     private readonly string?[] _stated;
     private readonly double[] _times;
     private readonly double[][] _places;
-    private readonly Action<string> _said;
+    private readonly Action<string> _report;
 
-    private TrackUnits(TrackFormat format, string?[] stated, double[] times, double[][] places, Action<string> said)
+    private TrackUnits(TrackFormat format, string?[] stated, double[] times, double[][] places, Action<string> report)
     {
         _format = format;
         _stated = stated;
         _times = times;
         _places = places;
-        _said = said;
+        _report = report;
     }
 
-    /// <summary>Converts places into the library's frame, in metres.</summary>
-    /// <param name="format">What is given.</param>
-    /// <param name="stated">Units that the header states, or null.</param>
-    /// <param name="times">Times, s.</param>
-    /// <param name="places">Columns of x, y and z as written.</param>
-    /// <param name="gravity">g, m/s².</param>
-    /// <param name="said">Receives guesses.</param>
+    /// <summary>Converts positions to the library's coordinates, in m.</summary>
+    /// <param name="format">The given properties.</param>
+    /// <param name="stated">The units that the header states; null for unknown ones.</param>
+    /// <param name="times">The times, in s.</param>
+    /// <param name="places">The columns x, y and z as written.</param>
+    /// <param name="gravity">The gravity g, in m/s².</param>
+    /// <param name="report">Receives guesses.</param>
     /// <exception cref="RefusedException">The coordinates cannot be metres, and the unit is not certain.</exception>
-    public static TrackReading Convert(TrackFormat format, string?[] stated, double[] times, double[][] places, double gravity, Action<string> said)
+    public static TrackReading Convert(TrackFormat format, string?[] stated, double[] times, double[][] places, double gravity, Action<string> report)
     {
-        var units = new TrackUnits(format, stated, times, places, said);
+        var units = new TrackUnits(format, stated, times, places, report);
         bool isYUp = units.IsYUp(out TrackFall fall);
         double[] scales = units.Scales(isYUp, fall, gravity);
         units.Check(scales, isYUp);
@@ -60,7 +59,7 @@ internal sealed class TrackUnits
         if (format.IsYDown is null)
         {
             string across = isYUp ? "z" : "y";
-            said($"guessed: {across} points to the {(isRight ? "right" : "left")} of x. A track does not show that; --y {(isRight ? "left" : "right")} if not, else sidespins are mirrored.");
+            report($"guessed: {across} points to the {(isRight ? "right" : "left")} of x. A track does not show that; --y {(isRight ? "left" : "right")} if not, else sidespins are mirrored.");
         }
 
         var converted = new Vector3d[times.Length];
@@ -77,13 +76,13 @@ internal sealed class TrackUnits
         return new TrackReading(converted, format.Unit is null && Array.TrueForAll(stated, unit => unit is null) && scales[0] == 1, isShare);
     }
 
-    /// <summary>The axis that falls.</summary>
+    /// <summary>True if the ball falls along y.</summary>
     private bool IsYUp(out TrackFall fall)
     {
         TrackFall z = TrackFall.Of(_times, _places[2]);
         if (!z.IsSure && _format.IsYUp != true)
         {
-            // Heights that count downwards: there the impacts, not the falls, are at the top.
+            // Heights may count downwards: the impacts are then at the top.
             TrackFall down = TrackFall.Of(_times, [.. _places[2].Select(value => -value)]);
             z = down is { IsSure: true, Fall: > 0 } ? down with { Fall = -down.Fall } : z;
         }
@@ -95,11 +94,11 @@ internal sealed class TrackUnits
             return given;
         }
 
-        // Drag slows a coordinate along the pitch in either direction, so that its parabolas do not agree.
+        // Drag slows a coordinate along the pitch in either direction, so its parabolas do not agree.
         bool isYUp = !z.IsSure && y is { Fall: > 0, Windows: >= 10, Spread: < 0.5 };
         if (isYUp)
         {
-            _said("guessed: y points up, because the ball falls along it; --up z if not.");
+            _report("guessed: y points up, because the ball falls along it; --up z if not.");
         }
 
         fall = isYUp ? y : z;
@@ -119,7 +118,7 @@ internal sealed class TrackUnits
             RefuseFall(fall, gravity);
             if (_format.Pitch is null)
             {
-                _said("guessed: the pitch is 105 x 68 m; --pitch LENGTHxWIDTH if not.");
+                _report("guessed: the pitch is 105 x 68 m; --pitch LENGTHxWIDTH if not.");
             }
 
             return pitch;
@@ -137,7 +136,7 @@ internal sealed class TrackUnits
             RefuseFall(fall with { Fall = metres * fall.Fall }, gravity);
             if (_format.Unit is null && Array.Exists(_stated, unit => unit is null))
             {
-                _said("guessed: positions whose unit the header does not state are metres; --unit gives one unit for all.");
+                _report("guessed: positions whose unit the header does not state are metres; --unit gives one unit for all.");
             }
 
             return [.. _stated.Select(unit => TrackFormat.Metres(_format.Unit ?? unit ?? "m")!.Value)];
@@ -147,12 +146,12 @@ internal sealed class TrackUnits
         return [.. _stated.Select(stated => TrackFormat.Metres(stated ?? unit)!.Value)];
     }
 
-    /// <summary>The unit by which the ball falls as one does.</summary>
+    /// <summary>Returns the unit in which the ball falls with about g.</summary>
     private string Found(TrackFall fall, double gravity)
     {
         if (!fall.IsSure || !(gravity > 0))
         {
-            _said("guessed: positions are metres; no flight is clear enough to check that, --unit gives another unit.");
+            _report("guessed: positions are metres; no flight is clear enough to check that, --unit gives another unit.");
             return "m";
         }
 
@@ -165,7 +164,7 @@ internal sealed class TrackUnits
                 $"The ball falls at {fall.Fall:0.###} units of length per unit of time squared in TRACK, which is no known unit. Give --unit, and --time-unit or --rate if times are not seconds."));
         }
 
-        _said(unit == "m"
+        _report(unit == "m"
             ? FormattableString.Invariant($"guessed: positions are metres; the ball falls at {fall.Fall:0.0} m/s² in flight, air included. --unit gives another unit.")
             : FormattableString.Invariant($"guessed: positions are {unit}, because the ball falls at {fall.Fall:0.#} {unit}/s²; --unit gives another unit."));
         return unit;
@@ -179,7 +178,7 @@ internal sealed class TrackUnits
         }
     }
 
-    /// <summary>Throws if the ball does not fall as one in the unit that is given.</summary>
+    /// <summary>Throws if the ball does not fall with about g in the given unit.</summary>
     private void RefuseFall(TrackFall metres, double gravity)
     {
         if (!metres.IsSure || !(gravity > 0))
@@ -195,7 +194,7 @@ internal sealed class TrackUnits
         }
     }
 
-    /// <summary>Throws if positions are shares of a pitch.</summary>
+    /// <summary>Throws if the positions are shares of a pitch.</summary>
     private void RefuseShares(int across)
     {
         (double xLeast, double xMost) = Extent(_places[0]);
@@ -214,7 +213,7 @@ internal sealed class TrackUnits
         }
     }
 
-    /// <summary>Throws if the ball moves as none does.</summary>
+    /// <summary>Throws if the ball moves impossibly fast or far.</summary>
     private void Check(double[] scales, bool isYUp)
     {
         int across = isYUp ? 2 : 1;
@@ -253,7 +252,7 @@ internal sealed class TrackUnits
 
     private static (double Least, double Most) Extent(double[] values) => values.Length > 0 ? (values.Min(), values.Max()) : (0, 0);
 
-    /// <summary>Nearly the least and the greatest: without a few points that jump.</summary>
+    /// <summary>Returns approximately the minimum and the maximum, without a few outliers.</summary>
     private static (double Least, double Most) Percentiles(double[] values)
     {
         double[] sorted = [.. values.Order()];
