@@ -7,10 +7,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>All shots on one page that needs nothing but itself and the moving page beside it.</summary>
+/// <summary>A page with all shots. It needs no other file except the animated page next to it.</summary>
 internal static class ContactSheet
 {
-    /// <summary>The page on which the same shots move.</summary>
+    /// <summary>The animated page with the same shots.</summary>
     public const string Moving = "replay.html";
 
     private const string Style = """
@@ -44,7 +44,7 @@ internal static class ContactSheet
         @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } article svg { width: calc(100% + 14px); margin: 0 -7px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
         """;
 
-    /// <summary>Copies what stands beside a button. Without characters that XML and HTML write differently.</summary>
+    /// <summary>Copies the text next to a button. The script contains no characters that XML and HTML escape differently.</summary>
     private const string Script = """
         document.addEventListener("click", function (e) {
           if (e.target.tagName !== "BUTTON") return;
@@ -112,7 +112,7 @@ internal static class ContactSheet
             shown.Shot.Command is { } command ? Folded("Code and command", Copied(shown.Shot.Code), Copied(command)) : Folded("Code", Copied(shown.Shot.Code)));
     }
 
-    /// <summary>A drawing without its own style, which in a page would hold for all drawings.</summary>
+    /// <summary>Returns a drawing without its style element, which would apply to all drawings of the page.</summary>
     private static XElement Unstyled(XElement drawing)
     {
         drawing.Descendants().Where(part => part.Name.LocalName == "style").Remove();
@@ -127,7 +127,7 @@ internal static class ContactSheet
         new XElement("pre", Unbroken(code)),
         new XElement("button", new XAttribute("type", "button"), new XAttribute("aria-label", "Copy the line"), "copy"));
 
-    /// <summary>A code whose words are not broken at the end of a line.</summary>
+    /// <summary>Returns a code in which no line breaks within words.</summary>
     private static IEnumerable<object> Unbroken(string code) =>
         Regex.Split(code, @"(\s+)").Select((part, i) => i % 2 == 0 ? (object)new XElement("span", part) : part);
 }

@@ -3,13 +3,13 @@ using FootballPhysics.Tool.Replay;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>How deep a shot bulges the nets of its scene.</summary>
+/// <summary>Finds the depth to which a shot bulges the nets of its scene.</summary>
 internal static class DeepestBulges
 {
-    /// <summary>Less than this is not worth a line, m.</summary>
+    /// <summary>The depth below which a bulge is not drawn, in m.</summary>
     private const double Shallow = 0.05;
 
-    /// <summary>Lines along and across each net that was hit, through the deepest point of its bulge; and how deep the deepest is, m.</summary>
+    /// <summary>Returns lines along and across each net that was hit, through the deepest point of its bulge, and the greatest depth, in m.</summary>
     public static (IReadOnlyList<Vector3d[]> Lines, double Depth) Of(Scenario scenario)
     {
         Net[] nets = [.. scenario.Scene.Nets.Concat(scenario.Scene.Goals.SelectMany(goal => goal.Nets()))];

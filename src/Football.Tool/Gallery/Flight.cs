@@ -2,7 +2,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>The way of a ball in legs, from event to event: in each it is in one motion.</summary>
+/// <summary>The path of a ball, divided into legs at its events. The ball has one motion in each leg.</summary>
 internal sealed class Flight
 {
     public Flight(Scenario scenario)
@@ -21,7 +21,7 @@ internal sealed class Flight
 
     public IReadOnlyList<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Legs { get; }
 
-    /// <summary>The way up to the first impact, or to the end where there is none.</summary>
+    /// <summary>The path to the first impact, or to the end if there is none.</summary>
     public IEnumerable<Vector3d> ToFirstTouchdown
     {
         get
@@ -32,17 +32,17 @@ internal sealed class Flight
         }
     }
 
-    /// <summary>When the ball first meets a thing, or the end of the way where it meets none, s.</summary>
+    /// <summary>The time of the first hit of an object or of a goal, in s; the end of the path if there is none.</summary>
     public double FirstMeeting => Events.Where(item => item.ColliderIndex != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
 
-    /// <summary>The first impact with the ground; null if there is none.</summary>
+    /// <summary>Returns the first impact on the ground; null if there is none.</summary>
     public static BallEvent? FirstTouchdown(Outcome outcome) =>
         outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.ColliderIndex == 0).Cast<BallEvent?>().FirstOrDefault();
 
-    /// <summary>The legs of a shot whose path was kept.</summary>
+    /// <summary>Returns the legs of a shot with samples.</summary>
     public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)
     {
-        // Steps end between the events, so the events' own places make the corners sharp.
+        // Steps end between the events. Corners at the positions of the events are sharp.
         IReadOnlyList<Moment> samples = outcome.Samples!;
         MotionState motion = samples[0].State;
         var points = new List<Vector3d>();

@@ -2,19 +2,19 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A free kick over a wall that the two-point solver finds: through a point above the wall, into the corner behind it.</summary>
+/// <summary>A free kick that the two-point solver finds: through a point above the wall, into the corner behind it.</summary>
 internal static class FoundKick
 {
     private const double Goal = 22;
     private const double Wall = 9.15;
 
-    /// <summary>The corner of the goal.</summary>
+    /// <summary>The target in the corner of the goal, in m.</summary>
     public static Vector3d Target { get; } = new(-3.3, 0.6, -Goal);
 
-    /// <summary>Just above the wall.</summary>
+    /// <summary>The waypoint just above the wall, in m.</summary>
     public static Vector3d Through { get; } = new(-2.2, 2.35, -Wall);
 
-    /// <summary>Finds it, and makes a shot of it.</summary>
+    /// <summary>Finds the kick, and returns its shot.</summary>
     public static GalleryShot Shot()
     {
         var request = new AimRequest

@@ -34,7 +34,7 @@ internal static class GalleryShots
 
     private static GalleryShot Corner()
     {
-        // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
+        // The view is along the goal line from the corner to the right of the goal. The pitch is on the left.
         Scenario kick = Kick(25, left: 19, up: 25, top: -10, side: -52) with
         {
             Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }] },

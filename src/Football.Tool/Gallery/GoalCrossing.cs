@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>Whether a shot is a goal, and by how much.</summary>
+/// <summary>Determines whether a shot is a goal, and by what margin.</summary>
 internal static class GoalCrossing
 {
     /// <summary>The distance of the ball's centre from the inside of a post below which it touches the post, m.</summary>
@@ -16,7 +16,7 @@ internal static class GoalCrossing
             return "It does not reach the goal line.";
         }
 
-        // Left and right as who shoots at it sees them.
+        // Left and right from the view of the player who shoots.
         double right = Vector3d.Dot(crossing.Value - goal.Center, Vector3d.Cross(-goal.Outward(), Vector3d.Up));
         double post = (0.5 * goal.Width) - Math.Abs(right);
         string side = right > 0 ? "right" : "left";
@@ -31,7 +31,7 @@ internal static class GoalCrossing
             : $"No goal: it comes to the line {where}, {height}, and not over it.";
     }
 
-    /// <summary>Where the ball first passes the plane of the line from before it.</summary>
+    /// <summary>Returns the first point at which the ball crosses the plane of the goal line from the front; null if there is none.</summary>
     private static Vector3d? Crossing(Flight flight, Goal goal)
     {
         Vector3d last = flight.Start;

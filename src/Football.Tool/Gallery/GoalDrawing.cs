@@ -4,16 +4,16 @@ using FootballPhysics.Tool.Replay;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>Draws the goal that a shot reaches as who stands in front of it sees it, and the ball in it as large as it is.</summary>
+/// <summary>Draws a goal from the front, and the ball in it to scale.</summary>
 internal static class GoalDrawing
 {
-    /// <summary>How far in front of the line the way to it begins to be drawn, m.</summary>
+    /// <summary>The distance from the goal line at which the drawn path starts, in m.</summary>
     private const double Before = 8;
 
-    /// <summary>What is nearer to the line than this stands in the goal, m.</summary>
+    /// <summary>The distance from the goal line within which objects are drawn, in m.</summary>
     private const double Near = 1;
 
-    /// <summary>The drawing; null for a ball that comes to no goal.</summary>
+    /// <summary>Draws the goal of a shot; returns null if the ball does not reach it.</summary>
     public static XElement? Draw(GalleryShot shot, Flight flight, IReadOnlyList<SceneShape> shapes, double width)
     {
         if (shot.Scenario.Scene.Goals is not [var goal, ..] || Arrival(flight, goal) is not { } arrival)
@@ -51,7 +51,7 @@ internal static class GoalDrawing
         return chart.Draw();
     }
 
-    /// <summary>When the ball is a goal, or else first at the frame or at what stands before it; null where it comes to none of these.</summary>
+    /// <summary>Returns the goal, or the first hit of the frame or of an obstacle near the line; null if there is none.</summary>
     private static BallEvent? Arrival(Flight flight, Goal goal)
     {
         IEnumerable<BallEvent> goals = flight.Events.Where(item => item.Kind == BallEventKind.Goal);
@@ -59,7 +59,7 @@ internal static class GoalDrawing
         return goals.Concat(saves).Cast<BallEvent?>().FirstOrDefault();
     }
 
-    /// <summary>Post or crossbar: which post, left or right, depends on who looks.</summary>
+    /// <summary>Returns "post" or "crossbar". Whether a post is left or right depends on the side of the viewer.</summary>
     private static string OfFrame(string? name)
     {
         string part = name?.Split(' ')[^1] ?? "";

@@ -3,7 +3,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>Shots that answer a question: can the goalkeeper get there, which kick bounces once, which goes in off the post, how surely does a penalty go in?</summary>
+/// <summary>
+/// Shots that answer questions: whether the goalkeeper reaches the ball, which kick bounces once, which goes in off the post, and how certain a
+/// penalty is.
+/// </summary>
 internal static class QueryShots
 {
     private const double Penalty = 11;
@@ -16,7 +19,7 @@ internal static class QueryShots
     /// <summary>A goalkeeper who is beaten.</summary>
     public static GalleryShot Beaten() => Keeper("keeper-beaten", "A keeper who is beaten", new Vector3d(-4.8, 4, -26));
 
-    /// <summary>A goalkeeper who is not.</summary>
+    /// <summary>A goalkeeper who saves the shot.</summary>
     public static GalleryShot Saved() => Keeper("keeper-saves", "A keeper who saves", new Vector3d(-3.2, 6, -24));
 
     /// <summary>A pass that bounces once.</summary>
@@ -36,7 +39,7 @@ internal static class QueryShots
         };
     }
 
-    /// <summary>A shot in off the post that was aimed there.</summary>
+    /// <summary>A shot aimed to go in off the post.</summary>
     public static GalleryShot OffThePost()
     {
         Scene scene = Scene.Measured with { Goals = [Furniture.Goal(Post)] };
@@ -54,7 +57,7 @@ internal static class QueryShots
         };
     }
 
-    /// <summary>A penalty with the ellipse of where it goes.</summary>
+    /// <summary>A penalty with the ellipse of its scatter.</summary>
     public static GalleryShot Ellipse()
     {
         Goal goal = Furniture.Goal(Penalty);
@@ -110,7 +113,7 @@ internal static class QueryShots
         };
     }
 
-    /// <summary>An ellipse of so many standard deviations in the plane of a goal.</summary>
+    /// <summary>Returns an ellipse in the plane of a goal with the given number of standard deviations.</summary>
     private static SceneShape Ring(Goal goal, GoalChanceResult scatter, double deviations)
     {
         double angle = scatter.AxisDegrees * Math.PI / 180;

@@ -3,15 +3,15 @@ using FootballPhysics.Tool.Replay;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>What stands in a scene, as items of a chart that looks at it from the side or from above.</summary>
+/// <summary>Adds the objects of a scene to a side view or top view.</summary>
 internal static class SceneDrawing
 {
-    /// <summary>Adds goals, nets, obstacles and, from above, the markings.</summary>
+    /// <summary>Adds goals, nets, obstacles and, in a top view, the markings.</summary>
     /// <param name="chart">The chart.</param>
-    /// <param name="shapes">What there is.</param>
-    /// <param name="project">Where a place of the world is in the chart.</param>
-    /// <param name="fromAbove">Whether the markings are to be seen.</param>
-    /// <param name="time">The time at which what moves is drawn, s.</param>
+    /// <param name="shapes">The shapes to draw.</param>
+    /// <param name="project">Maps a position to the chart.</param>
+    /// <param name="fromAbove">True for a top view, which shows the markings.</param>
+    /// <param name="time">The time at which moving objects are drawn, in s.</param>
     public static void Add(Chart chart, IReadOnlyList<SceneShape> shapes, Func<Vector3d, PlotPoint> project, bool fromAbove, double time)
     {
         foreach (SceneShape shape in shapes)
@@ -43,7 +43,7 @@ internal static class SceneDrawing
         }
     }
 
-    /// <summary>A ball, as large as it is.</summary>
+    /// <summary>Returns the outline of a ball to scale.</summary>
     public static PlotPoint[] Circle(PlotPoint middle, double radius) =>
         [.. Enumerable.Range(0, 32).Select(i => Math.SinCos(2 * Math.PI * i / 32)).Select(at => new PlotPoint(middle.X + (radius * at.Cos), middle.Y + (radius * at.Sin)))];
 }

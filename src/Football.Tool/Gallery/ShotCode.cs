@@ -5,13 +5,13 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A shot as a program and as a command, whole: with goal, wall and goalkeeper, to the last digit.</summary>
+/// <summary>Writes a shot as a program and as a command. Both are complete, with goal, wall and goalkeeper, and have all digits.</summary>
 internal static class ShotCode
 {
-    /// <summary>A C# program that plays it and prints its events.</summary>
+    /// <summary>Returns a C# program that simulates the shot and prints its events.</summary>
     /// <param name="scenario">The shot.</param>
-    /// <param name="scene">Its scene in C#, without goals and obstacles.</param>
-    /// <param name="keeper">The goalkeeper who dives in it; null if there is none.</param>
+    /// <param name="scene">The scene in C#, without goals and obstacles.</param>
+    /// <param name="keeper">The goalkeeper who dives in the shot; null if there is none.</param>
     public static string Program(Scenario scenario, string scene, KeeperDive? keeper = null)
     {
         if (keeper is not null)
@@ -41,7 +41,7 @@ internal static class ShotCode
             """;
     }
 
-    /// <summary>A shot at a goalkeeper of typical abilities.</summary>
+    /// <summary>Returns a program for a shot at a goalkeeper of typical abilities.</summary>
     private static string WithKeeper(Scenario scenario, string scene, KeeperDive keeper) => $$"""
         using FootballPhysics;
         using FootballPhysics.Engines;      // the keeper: package Football.Physics.Engines
@@ -63,7 +63,7 @@ internal static class ShotCode
 
         """;
 
-    /// <summary>A command that plays it and writes the page that shows it.</summary>
+    /// <summary>Returns a command that simulates the shot and writes a page that shows it.</summary>
     public static string Command(Scenario scenario, IReadOnlyList<string> fields, string id)
     {
         var buffer = new ArrayBufferWriter<byte>();
@@ -180,7 +180,7 @@ internal static class ShotCode
         json.WriteEndObject();
     }
 
-    /// <summary>The name of an obstacle's material; null for that of an obstacle without one.</summary>
+    /// <summary>Returns the name of an obstacle's material; null for the default material of obstacles.</summary>
     private static string? Material(Obstacle obstacle) =>
         obstacle.Surface == SurfaceMaterial.GoalFrame ? null : SurfaceMaterial.Presets.First(preset => preset.Value == obstacle.Surface).Key;
 

@@ -6,10 +6,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>Draws a shot from the side and from above, a metre as long in one view as in the other, and a goal that it reaches from in front.</summary>
+/// <summary>Draws a side view and a top view of a shot at the same scale, and a front view of a goal that the ball reaches.</summary>
 internal static class ShotDrawing
 {
-    /// <summary>Width of a drawing: on a phone it is shown nearly at its size.</summary>
+    /// <summary>The width of a drawing, in pixels: a phone shows it at almost full size.</summary>
     private const double Width = 430;
 
     public static XElement Draw(GalleryShot shot, Flight flight, Flight? comparison, IReadOnlyList<KeeperPose> keeper)
@@ -147,7 +147,7 @@ internal static class ShotDrawing
         AddMarks(chart, flight, project, BallEventKind.Rest, Mark.Cross, Palette.Red, legend ? "rest" : null);
     }
 
-    /// <summary>Dots at whole seconds, as long as the ball flies far enough in one that they can be told apart.</summary>
+    /// <summary>Adds dots at whole seconds, while the ball moves far enough in a second to separate them.</summary>
     private static void AddSeconds(Chart chart, Flight flight, Func<Vector3d, PlotPoint> project)
     {
         IReadOnlyList<Moment> samples = flight.Outcome.Samples!;

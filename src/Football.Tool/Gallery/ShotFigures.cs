@@ -3,29 +3,29 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A shot in numbers. What belongs to the first touchdown is null for a ball that never left the ground.</summary>
-/// <param name="Carry">Horizontal distance to the first touchdown, m.</param>
-/// <param name="Apex">Greatest height of the centre, m.</param>
-/// <param name="HangTime">Time to the first touchdown, s.</param>
-/// <param name="Deflection">How far left of the launch direction's vertical plane the ball first touches down, m.</param>
-/// <param name="Bounces">Impacts with the ground.</param>
-/// <param name="RestTime">Time until rest, s; null where it did not come to rest.</param>
-/// <param name="Distance">Horizontal distance between launch and end, m.</param>
+/// <summary>The figures of a shot. Figures of the first touchdown are null for a ball that never left the ground.</summary>
+/// <param name="Carry">The horizontal distance to the first touchdown, in m.</param>
+/// <param name="Apex">The greatest height of the centre, in m.</param>
+/// <param name="HangTime">The time to the first touchdown, in s.</param>
+/// <param name="Deflection">The distance of the first touchdown to the left of the vertical plane of the launch direction, in m.</param>
+/// <param name="Bounces">The number of impacts on the ground.</param>
+/// <param name="RestTime">The time until rest, in s; null if the ball did not come to rest.</param>
+/// <param name="Distance">The horizontal distance between launch and end, in m.</param>
 internal sealed record ShotFigures(
     double? Carry, double Apex, double? HangTime, double? Deflection, long Bounces, double? RestTime, double Distance)
 {
-    /// <summary>Names and units of the columns, beside the shot's name.</summary>
+    /// <summary>The names and units of the columns, without the name of the shot.</summary>
     public static IReadOnlyList<string> Columns { get; } =
         ["carry m", "apex m", "hang time s", "deflection m", "bounces", "rest s", "distance m"];
 
-    /// <summary>The figures as text, in the order of the columns.</summary>
+    /// <summary>The figures as texts, in the order of the columns.</summary>
     public IReadOnlyList<string> Texts =>
     [
         Text(Carry, "0.00"), Text(Apex, "0.00"), Text(HangTime, "0.00"), Text(Deflection, "+0.00;-0.00;0.00"),
         Bounces.ToString(CultureInfo.InvariantCulture), Text(RestTime, "0.0"), Text(Distance, "0.00"),
     ];
 
-    /// <summary>The figures of a shot whose path was kept.</summary>
+    /// <summary>Returns the figures of a shot with samples.</summary>
     public static ShotFigures Of(Outcome outcome)
     {
         BallEvent? touchdown = Flight.FirstTouchdown(outcome);

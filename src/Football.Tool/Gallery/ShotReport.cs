@@ -6,22 +6,22 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A shot for a person in a terminal: its figures, its events, and what it looks like from behind its launch.</summary>
+/// <summary>Prints a shot in a terminal: its figures, its events, and a sketch of the view from behind its launch.</summary>
 internal sealed class ShotReport
 {
-    /// <summary>Events that are listed; of more only the first.</summary>
+    /// <summary>The maximum number of events that are listed; only the first ones are.</summary>
     private const int MostEvents = 24;
 
-    /// <summary>Width of a sketch: with its labels it fits into 80 columns.</summary>
+    /// <summary>The width of a sketch, in letters. With its labels, it fits into 80 columns.</summary>
     private const int Columns = 66;
 
     private readonly Scenario _scenario;
     private readonly Vector3d _forward;
     private readonly Vector3d _left;
 
-    /// <summary>Looks along a direction.</summary>
+    /// <summary>Creates a report for a view direction.</summary>
     /// <param name="scenario">The shot.</param>
-    /// <param name="forward">Horizontal; null looks along the launch.</param>
+    /// <param name="forward">The horizontal view direction; null for that of the launch.</param>
     public ShotReport(Scenario scenario, Vector3d? forward = null)
     {
         _scenario = scenario;
@@ -30,7 +30,7 @@ internal sealed class ShotReport
         _left = Vector3d.Cross(Vector3d.Up, _forward);
     }
 
-    /// <summary>Shots by their figures, one row each, with their names where they have one.</summary>
+    /// <summary>Returns a table of the figures with one row per shot, and the names of named shots.</summary>
     public static Table Figures(IReadOnlyList<(string? Name, ShotFigures Figures)> shots)
     {
         bool named = shots.Any(shot => shot.Name is not null);
@@ -48,7 +48,7 @@ internal sealed class ShotReport
         return table;
     }
 
-    /// <summary>Where several balls ended.</summary>
+    /// <summary>Returns a table of the final states of several balls.</summary>
     private static Table Finals(IReadOnlyList<Moment> balls)
     {
         Table table = new Table().Border(TableBorder.Simple);
@@ -72,7 +72,7 @@ internal sealed class ShotReport
         return table;
     }
 
-    /// <summary>Shows what was played; the path is drawn where there is room for one.</summary>
+    /// <summary>Prints a result, with a sketch of the path if its samples fit into memory.</summary>
     public void Print(IAnsiConsole console, Outcome outcome)
     {
         if (outcome.Balls.Count > 0)

@@ -4,16 +4,16 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A shot that was played and drawn.</summary>
+/// <summary>A shot with its simulation and its drawings.</summary>
 internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string Remark, XElement Drawing, ReplayPicture Moving)
 {
-    /// <summary>Plays and draws a shot.</summary>
+    /// <summary>Simulates and draws a shot.</summary>
     public static ShownShot Make(GalleryShot shot)
     {
         var flight = new Flight(shot.Scenario);
         Flight? comparison = shot.Comparison is null ? null : new Flight(shot.Comparison);
 
-        // Where a saved ball rolls later is no part of the story.
+        // After a save, the rest of the ball's path does not matter.
         bool saved = shot.Keeper is not null && flight.Events.All(item => item.Kind != BallEventKind.Goal);
         string remark = shot.Scenario.Scene.Goals.Count > 0 && !saved ? GoalCrossing.Describe(flight, shot.Scenario.Scene.Goals[0]) : "";
         if (shot.DrawnTo is not null && ViewFrame.Along(flight.Outcome.Final.Position) is var end && end > shot.DrawnTo)

@@ -3,22 +3,22 @@ using System.Text;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A line drawn in the dots of Braille letters: two across and four down in each.</summary>
-/// <param name="columns">Width in letters, without the labels.</param>
-/// <param name="rows">Height in letters, without the labels.</param>
+/// <summary>Draws a line in the dots of Braille letters: each letter has two columns and four rows of dots.</summary>
+/// <param name="columns">The width in letters, without the labels.</param>
+/// <param name="rows">The height in letters, without the labels.</param>
 internal sealed class Sketch(int columns, int rows)
 {
-    /// <summary>Bits of the dots of a letter from U+2800 on, by row and column.</summary>
+    /// <summary>The bit of each dot in a letter from U+2800, by row and column.</summary>
     private static readonly int[,] Dots = { { 0x01, 0x08 }, { 0x02, 0x10 }, { 0x04, 0x20 }, { 0x40, 0x80 } };
 
     private const int LabelWidth = 7;
 
     private readonly int[,] _letters = new int[rows, columns];
 
-    /// <summary>The line through the points, its axes as long as it is: the two scales differ.</summary>
-    /// <param name="name">What goes upwards; what goes to the right is the way along.</param>
-    /// <param name="x">To the right, m.</param>
-    /// <param name="y">Upwards, m.</param>
+    /// <summary>Draws the line through points. Each axis spans the range of its values, so the two scales differ.</summary>
+    /// <param name="name">The label of the vertical axis. The horizontal axis is the distance along the view.</param>
+    /// <param name="x">The horizontal coordinates, in m.</param>
+    /// <param name="y">The vertical coordinates, in m.</param>
     public string Draw(string name, double[] x, double[] y)
     {
         (double left, double right) = Ends(x);
@@ -53,7 +53,7 @@ internal sealed class Sketch(int columns, int rows)
 
     private static (double Low, double High) Ends(double[] values)
     {
-        // A line along an axis has it in its middle.
+        // If all values are equal, the line is in the middle of the range.
         double low = values.Min();
         double high = values.Max();
         return high - low > 1e-3 ? (low, high) : (low - 0.5, high + 0.5);

@@ -24,7 +24,7 @@ internal static class ThingShots
         var simulator = new Simulator(scene);
         var from = new Vector3d(0, Radius, -10);
 
-        // The window is a hundredth of a degree wide, so it is searched.
+        // The range of suitable directions is only a hundredth of a degree wide, so search for it.
         Vector3d velocity = Enumerable.Range(0, 200).Select(i => ViewFrame.Direction(30, 19.6 + (0.0025 * i), 12))
             .First(kick => Touched(simulator, from, kick) is ["right post", "left post", "goal", ..]);
         return new GalleryShot
@@ -37,7 +37,7 @@ internal static class ThingShots
         };
     }
 
-    /// <summary>The objects that a ball hits within two seconds, and the goal.</summary>
+    /// <summary>Returns the names of the objects that a ball hits within two seconds, including the goal.</summary>
     private static string[] Touched(Simulator simulator, Vector3d from, Vector3d velocity)
     {
         var log = new StepLog();
@@ -48,7 +48,7 @@ internal static class ThingShots
 
     private static GalleryShot HeadedCorner()
     {
-        // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
+        // The view is along the goal line from the corner to the right of the goal. The pitch is on the left.
         var head = new Obstacle { Name = "head", Shape = new SphereShape(new Vector3d(-11.89, 1.65, -29.23), 0.11), Surface = SurfaceMaterial.Head, Velocity = new Vector3d(4.7, 0.4, -1.4) };
         return new GalleryShot
         {

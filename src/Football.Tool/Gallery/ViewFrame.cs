@@ -1,10 +1,10 @@
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>Places of the world as a spectator behind the kick sees them: along the view, to its left, and up.</summary>
+/// <summary>Converts positions from the view of a spectator behind the kick: along the view, to its left, and up.</summary>
 /// <remarks>The gallery looks along −z, which is forward in the library's convention; −x is then to the left.</remarks>
 internal static class ViewFrame
 {
-    /// <summary>A direction or velocity: speed, degrees to the left of the view, degrees up.</summary>
+    /// <summary>Returns a direction or velocity of the given size, from the angles to the left of the view and upwards, in degrees.</summary>
     public static Vector3d Direction(double size, double left, double up)
     {
         (double sinLeft, double cosLeft) = Math.SinCos(left * Math.PI / 180);

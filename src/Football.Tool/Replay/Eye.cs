@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>An eye behind the ball that looks where it is kicked, and what it sees on a sheet.</summary>
+/// <summary>A camera behind the ball that looks in the direction of the kick; projects positions onto an image.</summary>
 internal sealed class Eye
 {
     private const double Behind = 7;
@@ -15,15 +15,15 @@ internal sealed class Eye
     private readonly double _middleX;
     private readonly double _middleY;
 
-    /// <summary>Looks so that all places that matter are on the sheet.</summary>
-    /// <param name="start">Where the ball is kicked.</param>
-    /// <param name="end">Where it is kicked to.</param>
-    /// <param name="matter">What must be seen.</param>
-    /// <param name="width">Width of the sheet.</param>
-    /// <param name="height">Height of the sheet.</param>
-    /// <param name="margin">What is left free around.</param>
-    /// <param name="above">The height of the eye, m.</param>
-    /// <param name="aside">The distance of the eye to the right of the line, m.</param>
+    /// <summary>Creates a camera with all relevant positions in its image.</summary>
+    /// <param name="start">The position of the kick, in m.</param>
+    /// <param name="end">The end of the kick, in m.</param>
+    /// <param name="matter">The positions that must be visible, in m.</param>
+    /// <param name="width">The width of the image.</param>
+    /// <param name="height">The height of the image.</param>
+    /// <param name="margin">The free margin on each side.</param>
+    /// <param name="above">The height of the camera, in m.</param>
+    /// <param name="aside">The distance of the camera to the right of the line of the kick, in m.</param>
     public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin, double above = Above, double aside = 0)
     {
         Vector3d way = (end - start).Horizontal;
@@ -45,23 +45,23 @@ internal sealed class Eye
         Horizon = _middleY - (_scale * Vector3d.Dot(level, _up) / Vector3d.Dot(level, _forward));
     }
 
-    /// <summary>Width of the sheet.</summary>
+    /// <summary>The width of the image.</summary>
     public double Width { get; }
 
-    /// <summary>Height of the sheet.</summary>
+    /// <summary>The height of the image.</summary>
     public double Height { get; }
 
-    /// <summary>Where the horizon is on the sheet.</summary>
+    /// <summary>The vertical position of the horizon in the image.</summary>
     public double Horizon { get; }
 
-    /// <summary>Where a place is on the sheet, and how large a metre is there; null for what is behind the eye.</summary>
+    /// <summary>Projects a position onto the image; returns also the size of one metre there. Returns null for a position behind the camera.</summary>
     public (double X, double Y, double Metre)? On(Vector3d place)
     {
         double depth = Vector3d.Dot(place - _place, _forward);
         return Slopes(place) is { } at ? (_middleX + (_scale * at.X), _middleY - (_scale * at.Y), _scale / depth) : null;
     }
 
-    /// <summary>A direction as it is seen: to the right, up, and towards the eye.</summary>
+    /// <summary>Returns the components of a direction to the right, upwards, and towards the camera.</summary>
     public (double Right, double Up, double Near) Towards(Vector3d direction) => (Vector3d.Dot(direction, _right), Vector3d.Dot(direction, _up), -Vector3d.Dot(direction, _forward));
 
     private (double X, double Y)? Slopes(Vector3d place)

@@ -1,18 +1,18 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Heights of the ground on a grid that reaches a little beyond what is to be seen.</summary>
-/// <param name="X">Least x, m.</param>
-/// <param name="Z">Least z, m.</param>
-/// <param name="Cell">Side of a cell, m.</param>
-/// <param name="Columns">Points along x.</param>
-/// <param name="Rows">Points along z.</param>
-/// <param name="Heights">Heights, m; row by row.</param>
+/// <summary>The heights of the ground on a grid that extends a little beyond the visible objects.</summary>
+/// <param name="X">The minimum x, in m.</param>
+/// <param name="Z">The minimum z, in m.</param>
+/// <param name="Cell">The side of a cell, in m.</param>
+/// <param name="Columns">The number of points along x.</param>
+/// <param name="Rows">The number of points along z.</param>
+/// <param name="Heights">The heights, in m, row by row.</param>
 internal sealed record GroundGrid(double X, double Z, double Cell, int Columns, int Rows, double[] Heights)
 {
     private const double Around = 6;
     private const int MostCells = 44;
 
-    /// <summary>The ground under places; null where there is none.</summary>
+    /// <summary>Returns the ground under the given positions; null if there is no ground.</summary>
     public static GroundGrid? Of(Ground ground, IReadOnlyCollection<Vector3d> places)
     {
         if (ground.IsNone || places.Count == 0)
@@ -37,7 +37,7 @@ internal sealed record GroundGrid(double X, double Z, double Cell, int Columns, 
         return new GroundGrid(x, z, cell, columns, rows, values);
     }
 
-    /// <summary>Height of the ground under a place, between the points of the grid, m.</summary>
+    /// <summary>Returns the interpolated height of the ground under a position, in m.</summary>
     public double HeightAt(Vector3d place)
     {
         double u = Math.Clamp((place.X - X) / Cell, 0, Columns - 1.001);
@@ -47,6 +47,6 @@ internal sealed record GroundGrid(double X, double Z, double Cell, int Columns, 
         return ((1 - r) * (((1 - s) * At(i, j).Y) + (s * At(i + 1, j).Y))) + (r * (((1 - s) * At(i, j + 1).Y) + (s * At(i + 1, j + 1).Y)));
     }
 
-    /// <summary>A point of the grid, m.</summary>
+    /// <summary>Returns a point of the grid, in m.</summary>
     public Vector3d At(int column, int row) => new(X + (Cell * column), Heights[(row * Columns) + column], Z + (Cell * row));
 }

@@ -2,23 +2,23 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>The pose of a goalkeeper at a time, as pictures draw him.</summary>
-/// <param name="Time">The time, s.</param>
-/// <param name="Body">The position of his centre, m, and his orientation.</param>
+/// <summary>The pose of a goalkeeper at a time, for drawings.</summary>
+/// <param name="Time">The time, in s.</param>
+/// <param name="Body">The position of his centre, in m, and his orientation.</param>
 internal readonly record struct KeeperPose(double Time, BallPose Body)
 {
-    /// <summary>From his centre to his feet, and from his feet to his shoulders and to his hands above the head, m.</summary>
+    /// <summary>The distances from his centre to his feet, and from his feet to his shoulders and to the hands above his head, in m.</summary>
     private const double Half = 0.98;
     private const double Shoulders = 1.42;
     private const double Hands = 2.1;
 
-    /// <summary>Movement below which a pose is not stored again, m.</summary>
+    /// <summary>The movement below which a pose is not stored again, in m.</summary>
     private const double Still = 1e-4;
 
-    /// <summary>How far he leans when his hands are above his head: 1 − cos of the angle.</summary>
+    /// <summary>The lean at which his hands are above his head: 1 − cos of the angle.</summary>
     private const double Stretched = 0.12;
 
-    /// <summary>The time between stored poses, s.</summary>
+    /// <summary>The time between stored poses, in s.</summary>
     private const double Step = 0.04;
 
     private static readonly Vector3d s_ahead = new(0, 0, 1);
@@ -26,10 +26,10 @@ internal readonly record struct KeeperPose(double Time, BallPose Body)
     /// <summary>His axis, from the feet to the head.</summary>
     private Vector3d Up => Body.Orientation.Rotate(Vector3d.Up);
 
-    /// <summary>The point between his feet, m.</summary>
+    /// <summary>The point between his feet, in m.</summary>
     public Vector3d Feet => Body.Position - (Half * Up);
 
-    /// <summary>Feet, shoulders, hands and the direction that he faces: the hands are in front of him while he stands, and above his head in a dive.</summary>
+    /// <summary>The feet, shoulders, hands and facing direction. He holds his hands in front of him when he stands, and above his head in a dive.</summary>
     public Vector3d[] Skeleton
     {
         get
@@ -42,7 +42,7 @@ internal readonly record struct KeeperPose(double Time, BallPose Body)
         }
     }
 
-    /// <summary>His body as an obstacle of a drawing.</summary>
+    /// <summary>His body as a shape of a drawing.</summary>
     public SceneShape Shape
     {
         get
@@ -56,7 +56,7 @@ internal readonly record struct KeeperPose(double Time, BallPose Body)
         }
     }
 
-    /// <summary>The poses in which a keeper is before the steps of a shot; poses that repeat are left out.</summary>
+    /// <summary>Returns the poses of a keeper before the steps of a shot, without repetitions.</summary>
     /// <param name="scenario">A shot that moves the keeper.</param>
     /// <param name="keeper">The keeper.</param>
     public static IReadOnlyList<KeeperPose> Of(Scenario scenario, Engines.KeeperDive keeper)
@@ -88,6 +88,6 @@ internal readonly record struct KeeperPose(double Time, BallPose Body)
         return kept;
     }
 
-    /// <summary>The last of the poses up to a time.</summary>
+    /// <summary>Returns the last pose at or before a time.</summary>
     public static KeeperPose At(IReadOnlyList<KeeperPose> poses, double time) => poses.Last(pose => pose.Time <= Math.Max(time, poses[0].Time));
 }

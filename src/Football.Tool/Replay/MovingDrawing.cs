@@ -3,26 +3,26 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Shots as one SVG that moves by itself, for pages that run no program: seen from behind the ball, again and again.</summary>
+/// <summary>Draws shots as an animated SVG that repeats, seen from behind the ball. It is for pages that run no script.</summary>
 internal static class MovingDrawing
 {
     private const double Width = 720;
     private const double Height = 380;
     private const double Margin = 36;
 
-    /// <summary>How long the picture rests before it begins again, s.</summary>
+    /// <summary>The pause before the animation repeats, in s.</summary>
     private const double Pause = 1.2;
 
-    /// <summary>Of a long roll only the beginning is shown, s.</summary>
+    /// <summary>The maximum duration that is shown, in s; a longer roll is cut.</summary>
     private const double Longest = 4;
 
-    /// <summary>How far aside the eye is if there is no goal, as a share of the path's length.</summary>
+    /// <summary>The sideways distance of the camera if there is no goal, as a share of the path's length.</summary>
     private const double Aside = 0.3;
 
     /// <summary>The time between two poses of a goalkeeper, s.</summary>
     private const double PoseStep = 0.06;
 
-    /// <summary>The drawing.</summary>
+    /// <summary>Draws the animation.</summary>
     public static XElement Draw(ReplayPicture picture)
     {
         double end = Math.Min(Longest, picture.Shots.Max(shot => shot.Track.Keys[^1].Time));
@@ -31,16 +31,16 @@ internal static class MovingDrawing
         SceneShape[] standing = [.. picture.Shapes.Where(shape => shape.Kind is not (SceneShapeKind.Marking or SceneShapeKind.Guide))];
         Vector3d[] frame = [.. standing.Where(shape => shape.Kind == SceneShapeKind.Frame).SelectMany(shape => shape.Points)];
         Vector3d to = frame.Length > 0 ? frame.Aggregate((a, b) => a + b) / frame.Length : start[^1];
-        // What is only there to compare with may go where it likes.
+        // Paths for comparison may leave the image.
         Vector3d[][] keeper = [.. picture.Keeper.Where(pose => pose.Time <= end).Select(pose => pose.Skeleton)];
         Vector3d[] matter = [.. keeper.SelectMany(skeleton => skeleton.Take(3)), .. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
-        // Without a goal, a straight path seen from behind is a line: from the side its height shows.
+        // Without a goal, a straight path looks like a line from behind. Move the camera to the side, so that the height is visible.
         double aside = frame.Length > 0 ? 0 : Aside * (to - start[0]).Horizontal.Length;
         var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin, aside: aside);
         SketchedBall[] balls = [.. picture.Shots.Select((shot, i) => new SketchedBall(eye, shot, $"{picture.Id}-{i}", end, total))];
         string Colour(int i) => Palette.Series[i % Palette.Series.Count];
 
-        // Each ball is drawn between what is farther and what is nearer than it.
+        // Draw each ball after the farther objects and before the nearer ones.
         var layers = new List<XElement>();
         double depth = 0;
         IEnumerable<(double Metre, XElement[] Drawn)> things = SceneSketch.Standing(eye, picture.Shapes, Net, Motion);
@@ -70,7 +70,7 @@ internal static class MovingDrawing
                 Svg.Text(Width - 12, Height - 12, picture.Shots[0].Kick, "end", 13, "#ffffff")),
             SceneSketch.Dark);
 
-        // Whoever moves does so until the ball has met him.
+        // A moving person moves until he meets the ball.
         XElement? Motion(SceneShape shape)
         {
             if (shape.Velocity.Length == 0 || eye.On(shape.Points.First()) is not { } first)
@@ -93,7 +93,7 @@ internal static class MovingDrawing
             MovingNet.Draw(eye, shape, [.. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => shot.Nets).Where(move => move.Net == net && move.Time <= end)], total);
     }
 
-    /// <summary>A goalkeeper in pose after pose, each seen until the next.</summary>
+    /// <summary>Draws the poses of a goalkeeper; each is visible until the next.</summary>
     private static IEnumerable<XElement> Keeper(Eye eye, IReadOnlyList<KeeperPose> poses, double end, double total)
     {
         var shown = new List<KeeperPose>();

@@ -4,23 +4,23 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A net in an SVG that gives way to the ball.</summary>
+/// <summary>Draws a net that yields to the ball, in an SVG.</summary>
 internal static class MovingNet
 {
-    /// <summary>How wide a bulge is, m, as the pages draw it.</summary>
+    /// <summary>The width of a bulge, in m; the pages use the same.</summary>
     private const double Width = 0.75;
 
-    /// <summary>A mesh, m.</summary>
+    /// <summary>The size of a mesh, in m.</summary>
     private const double Mesh = 0.3;
 
-    /// <summary>Time between two shapes of a moving net, s.</summary>
+    /// <summary>The minimum time between two shapes of a moving net, in s.</summary>
     private const double Frame = 0.04;
 
-    /// <summary>The net.</summary>
-    /// <param name="eye">Who looks.</param>
+    /// <summary>Draws the net.</summary>
+    /// <param name="eye">The camera.</param>
     /// <param name="net">The net.</param>
-    /// <param name="moves">Its bulges in the order of time; empty where it hangs still.</param>
-    /// <param name="total">When all begins again, s.</param>
+    /// <param name="moves">The bulges of the net in order of time; empty for a net at rest.</param>
+    /// <param name="total">The period of the animation, in s.</param>
     public static IEnumerable<XElement> Draw(Eye eye, SceneShape net, NetMove[] moves, double total)
     {
         Vector3d[][] lines = [.. Lines(net.Corners!)];
@@ -32,7 +32,7 @@ internal static class MovingNet
             yield break;
         }
 
-        // At rest before the first bulge; the last shape stays until all begins again.
+        // The net is at rest before the first bulge. The last shape stays until the animation repeats.
         List<(double Time, NetBulge? Bulge)> frames = [(0, null)];
         foreach (NetMove move in moves.Where(move => move.Time < total))
         {
@@ -74,7 +74,7 @@ internal static class MovingNet
         return far > 9 ? node : node + (bulge.Depth * Math.Exp(-far) * bulge.Direction);
     }
 
-    /// <summary>Lines as one path; what is straight as its two ends.</summary>
+    /// <summary>Returns the lines as one path. A straight line consists of its two ends.</summary>
     private static string Drawn(Eye eye, Vector3d[][] lines, NetBulge? bulge)
     {
         var path = new StringBuilder();

@@ -2,22 +2,22 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A net that is pushed out, at an instant.</summary>
-/// <param name="Time">The instant, s.</param>
-/// <param name="Net">Which net of the picture.</param>
-/// <param name="Bulge">How deep, where and which way.</param>
+/// <summary>The bulge of a net at a time.</summary>
+/// <param name="Time">The time, in s.</param>
+/// <param name="Net">The index of the net in the picture.</param>
+/// <param name="Bulge">The depth, position and direction of the bulge.</param>
 internal readonly record struct NetMove(double Time, int Net, NetBulge Bulge);
 
-/// <summary>How the nets of a scene move in a shot.</summary>
+/// <summary>Computes the movements of the nets of a scene in a shot.</summary>
 internal static class NetMoves
 {
-    /// <summary>What is flatter than this hangs still, m.</summary>
+    /// <summary>The depth below which a net counts as at rest, in m.</summary>
     private const double Flat = 0.004;
 
-    /// <summary>What has changed by less than this is not told anew, m.</summary>
+    /// <summary>The change of depth below which a movement is omitted, in m; for the position, three times as much.</summary>
     private const double Fine = 0.006;
 
-    /// <summary>All bulges of a shot, step by step; the last of each is flat.</summary>
+    /// <summary>Returns all bulges of a shot, step by step. The last bulge of each movement is flat.</summary>
     public static IEnumerable<NetMove> Of(Scenario scenario)
     {
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
@@ -49,21 +49,21 @@ internal static class NetMoves
         }
     }
 
-    /// <summary>As few of them as show the same.</summary>
+    /// <summary>Removes movements that hardly change the picture.</summary>
     public static IEnumerable<NetMove> Thinned(IEnumerable<NetMove> moves)
     {
         foreach (IGrouping<int, NetMove> net in moves.GroupBy(move => move.Net))
         {
             NetMove[] all = [.. net];
-            NetMove told = all[0];
-            yield return told;
+            NetMove kept = all[0];
+            yield return kept;
             for (int i = 1; i < all.Length; i++)
             {
                 bool last = i == all.Length - 1 || all[i + 1].Bulge.Depth <= Flat || all[i].Bulge.Depth <= Flat;
-                if (last || Math.Abs(all[i].Bulge.Depth - told.Bulge.Depth) > Fine || (all[i].Bulge.Position - told.Bulge.Position).Length > 3 * Fine)
+                if (last || Math.Abs(all[i].Bulge.Depth - kept.Bulge.Depth) > Fine || (all[i].Bulge.Position - kept.Bulge.Position).Length > 3 * Fine)
                 {
-                    told = all[i];
-                    yield return told;
+                    kept = all[i];
+                    yield return kept;
                 }
             }
         }

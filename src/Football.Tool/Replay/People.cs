@@ -1,14 +1,17 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Obstacles that are people, as pictures draw them: by name and size, since to the ball they are boxes and rods.</summary>
+/// <summary>Recognises obstacles that drawings show as people, by name and size. For the ball, they are boxes and capsules.</summary>
 internal static class People
 {
-    /// <summary>Somebody in a wall takes so much room, m.</summary>
+    /// <summary>The width per person in a wall, in m.</summary>
     private const double Room = 0.52;
 
     private static readonly Vector3d s_ahead = new(0, 0, 1);
 
-    /// <summary>The players of an obstacle named "wall", the goalkeeper of one named "keeper", who is under one named "head", each as feet, shoulders, hands and the direction he faces; null for all else.</summary>
+    /// <summary>
+    /// Returns the people of an obstacle: the players of "wall", the goalkeeper of "keeper", or the player under "head". Each has feet, shoulders,
+    /// hands and a facing direction. Returns null for other obstacles.
+    /// </summary>
     public static IReadOnlyList<Vector3d[]>? Of(Obstacle obstacle) => (obstacle.Name, obstacle.Shape) switch
     {
         ("wall", FootballPhysics.Shapes.BoxShape box) when IsWall(box) => Row(box),
@@ -19,7 +22,7 @@ internal static class People
         _ => null,
     };
 
-    /// <summary>As high as people, thinner than a yard, upright.</summary>
+    /// <summary>True if a box is as tall as people, less than 0.8 m thick, and upright.</summary>
     private static bool IsWall(FootballPhysics.Shapes.BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
 
     private static Vector3d[][] Row(FootballPhysics.Shapes.BoxShape box)
@@ -31,7 +34,7 @@ internal static class People
             new Vector3d(box.Center.X - box.HalfSize.X + ((i + 0.5) * step), ground, box.Center.Z), (2 * box.HalfSize.Y) - 0.4))];
     }
 
-    /// <summary>Somebody who stands with his hands before him.</summary>
+    /// <summary>Returns a standing person with his hands in front of him.</summary>
     private static Vector3d[] Standing(Vector3d feet, double shoulders) =>
         [feet, feet + new Vector3d(0, shoulders, 0), feet + new Vector3d(0, 0.62 * shoulders, 0.2), s_ahead];
 

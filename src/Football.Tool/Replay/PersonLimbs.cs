@@ -3,20 +3,20 @@ using System.Text.Json;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>What somebody is drawn of: rods of two radii along a skeleton of feet, shoulders and hands, as the pages' figures.json says.</summary>
-/// <param name="From">One end, m.</param>
-/// <param name="To">The other end, m.</param>
-/// <param name="FromRadius">Radius at the first end, m.</param>
-/// <param name="ToRadius">Radius at the other, m.</param>
-/// <param name="Colour">#rrggbb.</param>
+/// <summary>A limb of a drawn person: a rod with two radii, placed relative to feet, shoulders and hands as figures.json of the pages defines.</summary>
+/// <param name="From">The first end, in m.</param>
+/// <param name="To">The second end, in m.</param>
+/// <param name="FromRadius">The radius at the first end, in m.</param>
+/// <param name="ToRadius">The radius at the second end, in m.</param>
+/// <param name="Colour">The colour as #rrggbb.</param>
 internal readonly record struct PersonLimbs(Vector3d From, Vector3d To, double FromRadius, double ToRadius, string Colour)
 {
     private static readonly JsonElement s_figures = Read();
 
-    /// <summary>The limbs of somebody.</summary>
-    /// <param name="skeleton">Feet, shoulders, hands and the direction he faces.</param>
-    /// <param name="kit">What he wears, by its name.</param>
-    /// <param name="who">Picks his face.</param>
+    /// <summary>Returns the limbs of a person.</summary>
+    /// <param name="skeleton">The feet, shoulders, hands and facing direction.</param>
+    /// <param name="kit">The name of the kit.</param>
+    /// <param name="who">Selects colours of the person, such as that of the skin.</param>
     public static IEnumerable<PersonLimbs> Of(Vector3d[] skeleton, string kit, int who)
     {
         JsonElement colours = s_figures.GetProperty("kits").GetProperty(kit);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Sizes of a pitch by law 1 of the game, m.</summary>
+/// <summary>The sizes of a pitch according to Law 1 of the game, in m.</summary>
 internal static class PitchSize
 {
     public const double GoalWidth = 7.32;

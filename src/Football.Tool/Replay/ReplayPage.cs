@@ -7,16 +7,16 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A page that shows shots in motion and needs nothing but itself.</summary>
+/// <summary>An animated page of shots that needs no other file.</summary>
 internal static partial class ReplayPage
 {
-    /// <summary>The parts of the program in the page, in the order in which they need each other.</summary>
+    /// <summary>The scripts of the page, in the order of their dependencies.</summary>
     private static readonly string[] Scripts = ["vectors.js", "track.js", "camera.js", "ball.js", "figures.js", "stadium.js", "stage.js", "player.js"];
 
-    /// <summary>The page.</summary>
+    /// <summary>Returns the page.</summary>
     public static string Html(string title, IReadOnlyList<ReplayPicture> pictures)
     {
-        // In one pass: a name may contain the mark of another part.
+        // Replace all marks in one pass, because a name may contain the mark of another part.
         return Mark().Replace(Part("page.html"), mark => mark.Groups[1].Value switch
         {
             "title" => System.Net.WebUtility.HtmlEncode(title),
@@ -36,7 +36,7 @@ internal static partial class ReplayPage
         return new StreamReader(part).ReadToEnd();
     }
 
-    /// <summary>The pictures as the page's program reads them.</summary>
+    /// <summary>Returns the pictures as JSON for the script of the page.</summary>
     private static ReadOnlySpan<byte> Data(string title, IReadOnlyList<ReplayPicture> pictures)
     {
         var buffer = new ArrayBufferWriter<byte>();
@@ -125,6 +125,6 @@ internal static partial class ReplayPage
         key.Orientation.X, key.Orientation.Y, key.Orientation.Z, key.Orientation.W, (int)key.Motion,
     ];
 
-    /// <summary>A hundredth of a millimetre, and no sign of zero.</summary>
+    /// <summary>Rounds to a hundredth of a millimetre, and removes the sign of zero.</summary>
     private static double Rounded(double value) => Math.Round(value, 5) + 0.0;
 }

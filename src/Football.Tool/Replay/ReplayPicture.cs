@@ -2,34 +2,34 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Shots in one moving picture, with what stands around them.</summary>
+/// <summary>Shots in one animated picture, with the objects around them.</summary>
 internal sealed record ReplayPicture
 {
-    /// <summary>Its short name, for links.</summary>
+    /// <summary>The short name, for links.</summary>
     public required string Id { get; init; }
 
     public required string Name { get; init; }
 
-    /// <summary>What is to be seen; may be empty.</summary>
+    /// <summary>The description; may be empty.</summary>
     public string About { get; init; } = "";
 
     public required IReadOnlyList<ReplayShot> Shots { get; init; }
 
     public required IReadOnlyList<SceneShape> Shapes { get; init; }
 
-    /// <summary>The goals, which say where the pitch is.</summary>
+    /// <summary>The goals; they determine the position of the pitch.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
 
-    /// <summary>The ground; null where there is none.</summary>
+    /// <summary>The ground; null if there is none.</summary>
     public required GroundGrid? Ground { get; init; }
 
-    /// <summary>The poses of a goalkeeper who moves; empty if there is none.</summary>
+    /// <summary>The poses of a moving goalkeeper; empty if there is none.</summary>
     public IReadOnlyList<KeeperPose> Keeper { get; init; } = [];
 
-    /// <summary>Points that the ball was aimed at, m.</summary>
+    /// <summary>The target points of the kicks, in m.</summary>
     public IReadOnlyList<Vector3d> Targets { get; init; } = [];
 
-    /// <summary>Shots in the scenes they were played in: the ground of the first, the things of all.</summary>
+    /// <summary>Creates a picture of shots in their scenes. It has the ground of the first scene and the objects of all scenes.</summary>
     public static ReplayPicture Of(string id, string name, IReadOnlyList<(string Name, Scenario Scenario, Outcome Outcome)> played)
     {
         var shapes = new List<SceneShape>();
@@ -48,7 +48,7 @@ internal sealed record ReplayPicture
                 count += goal.Nets().Count();
             }
 
-            // Records are equal by what they say: the same goal in two files is one.
+            // Records are equal if their values are equal, so the same goal in two files is drawn once.
             Scene fresh = scene with { Goals = [.. scene.Goals.Where(seen.Add)], Nets = [.. scene.Nets.Where(seen.Add)] };
             shapes.AddRange(SceneShapes.Of(fresh).Where(shape => shape.Kind != SceneShapeKind.Obstacle || seen.Add(Text(shape))));
         }
@@ -66,7 +66,7 @@ internal sealed record ReplayPicture
             Ground = GroundGrid.Of(played[0].Scenario.Scene.Ground, [.. shots.SelectMany(shot => shot.Track.Keys).Select(key => key.Position), .. shapes.SelectMany(shape => shape.Points)]),
         };
 
-        // The nets of a shot's own scene, as the picture counts them.
+        // Returns the movements of the nets of a shot's scene, with the indices of the picture's nets.
         NetMove[] Nets(Scenario scenario)
         {
             int[] own = [.. scenario.Scene.Nets.Select(net => nets[net]), .. scenario.Scene.Goals.SelectMany(goal => goal.Nets().Select((_, i) => nets[goal] + i))];
@@ -74,7 +74,7 @@ internal sealed record ReplayPicture
         }
     }
 
-    /// <summary>One of several balls.</summary>
+    /// <summary>Returns the shot of one of several balls.</summary>
     private static ReplayShot Shot(string name, Scenario scenario, Outcome outcome, int ball)
     {
         BallLaunch launch = scenario.Balls[ball];

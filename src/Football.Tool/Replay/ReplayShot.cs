@@ -1,14 +1,14 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A ball of a moving picture.</summary>
-/// <param name="Name">What it is called.</param>
-/// <param name="Kick">The kick in a few words.</param>
-/// <param name="Track">Its way.</param>
+/// <summary>A ball of an animated picture.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Kick">A brief description of the kick.</param>
+/// <param name="Track">The path.</param>
 internal sealed record ReplayShot(string Name, string Kick, Track Track)
 {
-    /// <summary>Whether it is only there to compare with; then it is drawn dashed.</summary>
+    /// <summary>True if the shot is for comparison only; it is then drawn dashed.</summary>
     public bool Compares { get; init; }
 
-    /// <summary>How it moves the nets of the picture.</summary>
+    /// <summary>The movements of the picture's nets by this shot.</summary>
     public IReadOnlyList<NetMove> Nets { get; init; } = [];
 }

@@ -1,28 +1,28 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A thing of a scene as pictures draw it: lines, which may be thick, and flat faces; where it is at time 0.</summary>
-/// <param name="Name">What it is.</param>
-/// <param name="Kind">What it is made of.</param>
+/// <summary>An object of a scene for drawings, at time 0: lines, which may be thick, and flat faces.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Kind">The kind, which determines the colour.</param>
 internal sealed record SceneShape(string Name, SceneShapeKind Kind)
 {
-    /// <summary>Joined points; a single point with a radius is a ball, two are a rod with round ends.</summary>
+    /// <summary>Polylines. A single point with a radius is a ball; two points with a radius are a capsule.</summary>
     public IReadOnlyList<Vector3d[]> Lines { get; init; } = [];
 
-    /// <summary>Radius of the lines, m; 0 draws them thin.</summary>
+    /// <summary>The radius of the lines, in m; 0 for thin lines.</summary>
     public double Radius { get; init; }
 
-    /// <summary>Convex polygons, counter-clockwise seen from outside.</summary>
+    /// <summary>The convex polygons, counter-clockwise seen from outside.</summary>
     public IReadOnlyList<Vector3d[]> Faces { get; init; } = [];
 
-    /// <summary>The four corners of a net, between which pages make its meshes; null for what is no net.</summary>
+    /// <summary>The four corners of a net, between which pages draw the meshes; null for other shapes.</summary>
     public IReadOnlyList<Vector3d>? Corners { get; init; }
 
-    /// <summary>Who it is: feet, shoulders, hands and the direction faced of each, which pictures draw in its place; null where it is nobody.</summary>
+    /// <summary>The people to draw instead of the shape, each with feet, shoulders, hands and facing direction; null for none.</summary>
     public IReadOnlyList<Vector3d[]>? People { get; init; }
 
-    /// <summary>Its velocity, m/s.</summary>
+    /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>All its points.</summary>
+    /// <summary>All points of the shape.</summary>
     public IEnumerable<Vector3d> Points => Lines.Concat(Faces).SelectMany(points => points);
 }

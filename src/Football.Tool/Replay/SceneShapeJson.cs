@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>Shapes and goals as the drawings of pages read them.</summary>
+/// <summary>Writes shapes and goals for the scripts of pages.</summary>
 internal static class SceneShapeJson
 {
     /// <summary>Writes "shapes" and "goals" of a picture.</summary>
@@ -34,7 +34,7 @@ internal static class SceneShapeJson
         json.WriteEndArray();
     }
 
-    /// <summary>Writes an array of numbers, to a hundredth of a millimetre and without a sign of zero.</summary>
+    /// <summary>Writes an array of numbers, rounded to a hundredth of a millimetre and without negative zeros.</summary>
     public static void WriteNumbers(Utf8JsonWriter json, string name, IEnumerable<double> numbers)
     {
         json.WritePropertyName(name);

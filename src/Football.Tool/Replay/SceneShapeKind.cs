@@ -1,9 +1,9 @@
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>What a shape of a picture is, which decides its colour.</summary>
+/// <summary>The kind of a shape, which determines its colour.</summary>
 internal enum SceneShapeKind
 {
-    /// <summary>Posts and bar.</summary>
+    /// <summary>A post or a crossbar.</summary>
     Frame,
     Net,
     Obstacle,
@@ -11,6 +11,6 @@ internal enum SceneShapeKind
     /// <summary>A line on the ground.</summary>
     Marking,
 
-    /// <summary>A line in the air, which is no thing: how far a keeper reaches, where kicks go.</summary>
+    /// <summary>A line in the air that is not an object: the reach of a keeper, the scatter of kicks.</summary>
     Guide,
 }

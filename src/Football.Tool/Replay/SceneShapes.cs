@@ -1,20 +1,20 @@
 using FootballPhysics.Tool.Gallery;
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>What stands and lies in a scene, as shapes to draw: goals, nets, obstacles, and the markings that belong to a goal.</summary>
+/// <summary>Converts a scene to shapes for drawings: goals, nets, obstacles, and the markings of a goal.</summary>
 internal static class SceneShapes
 {
-    /// <summary>How far a plane, which has no end, is drawn, m.</summary>
+    /// <summary>The size at which an infinite plane is drawn, in m.</summary>
     private const double PlaneReach = 6;
 
-    /// <summary>Meshes of a net are drawn this wide, m, and no more than so many of them.</summary>
+    /// <summary>The width of the meshes of a drawn net, in m, and their maximum number.</summary>
     private const double Mesh = 0.3;
     private const double MostMeshes = 40;
 
-    /// <summary>Height of markings above the ground, so that they are not hidden by it, m.</summary>
+    /// <summary>The height of markings above the ground, in m, so that the ground does not hide them.</summary>
     private const double OnTheGround = 0.005;
 
-    /// <summary>Everything but the ground.</summary>
+    /// <summary>Returns the shapes of all objects except the ground.</summary>
     public static IReadOnlyList<SceneShape> Of(Scene scene) =>
     [
         .. scene.Goals.Where(HasMarkings).Select(goal => Markings(goal, scene.Ground)),
@@ -24,7 +24,7 @@ internal static class SceneShapes
         .. scene.Goals.SelectMany(Nets),
     ];
 
-    /// <summary>Height of the ground under a place, m.</summary>
+    /// <summary>Returns the height of the ground at a point, in m.</summary>
     public static double GroundAt(Ground ground, double x, double z)
     {
         Vector3d normal = ground.Normal;
@@ -67,7 +67,7 @@ internal static class SceneShapes
         return [middle - u - v, middle + u - v, middle + u + v, middle - u + v];
     }
 
-    /// <summary>The nets of a goal, the sides only as far as back and roof.</summary>
+    /// <summary>Returns the nets of a goal; the sides extend only as far as back and roof.</summary>
     private static IEnumerable<SceneShape> Nets(Goal goal)
     {
         foreach (Net net in goal.Nets())
@@ -89,7 +89,7 @@ internal static class SceneShapes
         return Meshes(net.Name, net.Center - u - v, net.Center + u - v, net.Center + u + v, net.Center - u + v);
     }
 
-    /// <summary>A net between four corners.</summary>
+    /// <summary>Returns a net between four corners.</summary>
     private static SceneShape Meshes(string name, Vector3d a, Vector3d b, Vector3d c, Vector3d d)
     {
         int columns = Meshes((b - a).Length);
@@ -107,10 +107,10 @@ internal static class SceneShapes
 
     private static int Meshes(double length) => (int)Math.Clamp(Math.Ceiling(length / Mesh), 1, MostMeshes);
 
-    /// <summary>A goal of the game's size on ground that can be drawn on.</summary>
+    /// <summary>True if the goal has the regular width. Only such a goal has markings.</summary>
     private static bool HasMarkings(Goal goal) => Math.Abs(goal.Width - PitchSize.GoalWidth) < 0.1;
 
-    /// <summary>Goal line, areas, mark and arc in front of a goal.</summary>
+    /// <summary>Returns the goal line, areas, penalty mark and arc in front of a goal.</summary>
     private static SceneShape Markings(Goal goal, Ground ground)
     {
         Vector3d At(double right, double outward)
@@ -119,7 +119,7 @@ internal static class SceneShapes
             return new Vector3d(flat.X, GroundAt(ground, flat.X, flat.Z) + OnTheGround, flat.Z);
         }
 
-        // Many points, for the ground may be uneven.
+        // Use several points per line, because the ground may be uneven.
         Vector3d[] Line(double fromRight, double fromOut, double toRight, double toOut) =>
             [.. Enumerable.Range(0, 9).Select(i => At(fromRight + (i / 8.0 * (toRight - fromRight)), fromOut + (i / 8.0 * (toOut - fromOut))))];
 

@@ -3,16 +3,16 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A scene in perspective as SVG: sky, grass, lines, shadows, and what stands there, from far to near.</summary>
+/// <summary>Draws a scene in perspective as SVG: sky, grass, lines, shadows and objects, from far to near.</summary>
 internal static class SceneSketch
 {
     private const string Sky = "#dfeaf3";
     private const string Grass = "#7fae6b";
 
-    /// <summary>What is dark where that is preferred.</summary>
+    /// <summary>The colours that dark mode replaces.</summary>
     public static IReadOnlyList<(string Light, string Dark)> Dark { get; } = [(Sky, "#0d1318"), (Grass, "#23402a"), (Palette.Blue, "#56b4e9")];
 
-    /// <summary>Sky and grass in stripes across a way.</summary>
+    /// <summary>Draws the sky and the grass, with stripes across the path.</summary>
     public static IEnumerable<XElement> Backdrop(Eye eye, Vector3d from, Vector3d to)
     {
         double horizon = Math.Clamp(eye.Horizon, 0, eye.Height);
@@ -26,7 +26,7 @@ internal static class SceneSketch
         {
             Vector3d near = start + (Math.Max(-5, i * wide) * along);
             Vector3d far = start + ((i + 1) * wide * along);
-            // As wide as can be seen: both ends must be before the eye.
+            // Make a stripe as wide as possible: both ends must be in front of the camera.
             double half = 60;
             while (half > 1 && ((double[])[-half, half]).Any(across => eye.On(near + (across * side)) is null || eye.On(far + (across * side)) is null))
             {
@@ -41,10 +41,10 @@ internal static class SceneSketch
         }
     }
 
-    /// <summary>What lies on the grass: lines, and the shadows of people.</summary>
-    /// <param name="eye">Who looks.</param>
-    /// <param name="shapes">The scene.</param>
-    /// <param name="motion">How a shape moves on the sheet; null where it stands.</param>
+    /// <summary>Draws the markings on the grass and the shadows of people.</summary>
+    /// <param name="eye">The camera.</param>
+    /// <param name="shapes">The shapes of the scene.</param>
+    /// <param name="motion">Returns the movement of a shape in the image; null if it does not move.</param>
     public static IEnumerable<XElement> Lying(Eye eye, IReadOnlyList<SceneShape> shapes, Func<SceneShape, XElement?> motion)
     {
         foreach (XElement line in shapes.Where(shape => shape.Kind == SceneShapeKind.Marking).SelectMany(shape => shape.Lines).Select(line => Line(eye, line, "#ffffff", 0.9, 1.6)))
@@ -61,11 +61,11 @@ internal static class SceneSketch
         }
     }
 
-    /// <summary>What stands there, each with how near it is, from far to near; lines that are no things last.</summary>
-    /// <param name="eye">Who looks.</param>
-    /// <param name="shapes">The scene.</param>
-    /// <param name="net">How one of the scene's nets is drawn.</param>
-    /// <param name="motion">How somebody moves on the sheet; null where he stands.</param>
+    /// <summary>Draws the objects. Returns each with the size of a metre at its distance, from far to near; guide lines are last.</summary>
+    /// <param name="eye">The camera.</param>
+    /// <param name="shapes">The shapes of the scene.</param>
+    /// <param name="net">Draws a net of the scene.</param>
+    /// <param name="motion">Returns the movement of a person in the image; null if he does not move.</param>
     public static List<(double Metre, XElement[] Drawn)> Standing(
         Eye eye, IReadOnlyList<SceneShape> shapes, Func<int, SceneShape, IEnumerable<XElement>> net, Func<SceneShape, XElement?> motion)
     {
@@ -95,12 +95,12 @@ internal static class SceneSketch
         return [.. all.OrderBy(item => item.Metre)];
     }
 
-    /// <summary>A line as wide as it looks from there.</summary>
+    /// <summary>Draws a line with the given width in the image.</summary>
     public static XElement Line(Eye eye, Vector3d[] line, string colour, double opacity, double width) => Svg.Element(
         "polyline",
         [("points", Points(eye, line)), ("fill", "none"), ("stroke", colour), ("stroke-opacity", opacity), ("stroke-width", width), ("stroke-linecap", "round"), ("stroke-linejoin", "round")]);
 
-    /// <summary>Places on the sheet; those behind the eye are left out.</summary>
+    /// <summary>Returns the positions in the image as an attribute; omits those behind the camera.</summary>
     public static string Points(Eye eye, IEnumerable<Vector3d> places) =>
         string.Join(' ', places.Select(eye.On).OfType<(double X, double Y, double Metre)>().Select(at => $"{Svg.Number(at.X)},{Svg.Number(at.Y)}"));
 
@@ -109,7 +109,7 @@ internal static class SceneSketch
     private static XElement Face(Eye eye, Vector3d[] face) =>
         Svg.Element("polygon", [("points", Points(eye, face)), ("fill", "#5f7181"), ("stroke", "#3e4c59"), ("fill-opacity", 0.75)]);
 
-    /// <summary>A post or a bar, lit from the left and above; a single place is a ball.</summary>
+    /// <summary>Draws a post or a crossbar, lit from the upper left; a single point is a ball.</summary>
     private static IEnumerable<XElement> Rod(Eye eye, Vector3d[] line, double radius)
     {
         double width = Math.Max(2, eye.On(line[0]) is { } first ? 2 * radius * first.Metre : 0);
@@ -117,7 +117,7 @@ internal static class SceneSketch
         yield return Line(eye, line, "#ffffff", 1, 0.6 * width);
     }
 
-    /// <summary>Somebody, each limb the hull of two discs: a polygon between two circles, and its lit side.</summary>
+    /// <summary>Draws a person. Each limb is the convex hull of two discs: a polygon between two circles.</summary>
     public static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
     {
         foreach (PersonLimbs limb in PersonLimbs.Of(person, kit, who).OrderBy(limb => (eye.On(0.5 * (limb.From + limb.To))?.Metre) ?? 0))

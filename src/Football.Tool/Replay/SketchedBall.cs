@@ -5,16 +5,16 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>A ball that moves in an SVG: its panels turn as it spins, its shadow tells its height, and it goes behind what it passes behind.</summary>
+/// <summary>Draws a moving ball in an SVG. Its panels turn with the spin, its shadow shows its height, and nearer objects hide it.</summary>
 internal sealed class SketchedBall
 {
-    /// <summary>Time between two places of the ball, s.</summary>
+    /// <summary>The time between two positions of the ball, in s.</summary>
     public const double Frame = 0.02;
 
-    /// <summary>Panels are turned every so many frames.</summary>
+    /// <summary>The number of frames between two turns of the panels.</summary>
     private const int Turned = 2;
 
-    /// <summary>Radius below which a ball is drawn no smaller, pixels.</summary>
+    /// <summary>The minimum radius of a drawn ball, in pixels.</summary>
     private const double Least = 4.5;
 
     private static readonly (Vector3d Middle, Vector3d[] Corners)[] s_panels = Panels();
@@ -29,12 +29,12 @@ internal sealed class SketchedBall
     private readonly Quaterniond[] _turns;
     private readonly string _times;
 
-    /// <summary>Looks at a ball.</summary>
-    /// <param name="eye">Who looks.</param>
-    /// <param name="shot">Its way.</param>
-    /// <param name="id">A name that no other ball of the drawing has.</param>
-    /// <param name="end">When its story ends, s.</param>
-    /// <param name="total">When all begins again, s.</param>
+    /// <summary>Prepares the drawing of a ball.</summary>
+    /// <param name="eye">The camera.</param>
+    /// <param name="shot">The shot.</param>
+    /// <param name="id">An identifier that is unique in the drawing.</param>
+    /// <param name="end">The end of the path to show, in s.</param>
+    /// <param name="total">The period of the animation, in s.</param>
     public SketchedBall(Eye eye, ReplayShot shot, string id, double end, double total)
     {
         (_eye, _shot, _id, _total) = (eye, shot, id, total);
@@ -42,7 +42,7 @@ internal sealed class SketchedBall
         _way = [.. frames.Select(frame => frame.Place)];
         _turns = [.. frames.Select(frame => frame.Turn)];
 
-        // Behind the eye it waits unseen where it was seen before, or will be seen at first.
+        // Behind the camera, the ball is invisible. It waits at its last visible position or, if there is none yet, at the first one.
         (double X, double Y, double Metre)?[] seen = [.. _way.Select(eye.On)];
         (double X, double Y, double Metre) last = seen.FirstOrDefault(at => at is not null) ?? default;
         _isSeen = [.. seen.Select(at => at is not null)];
@@ -50,10 +50,10 @@ internal sealed class SketchedBall
         _times = Times(_seen.Select((_, i) => i * Frame / total).Append(1));
     }
 
-    /// <summary>Its places, frame by frame.</summary>
+    /// <summary>Returns the positions of the ball, frame by frame.</summary>
     public static IEnumerable<Vector3d> Way(Track track, double end) => Frames(track, end).Select(frame => frame.Place);
 
-    /// <summary>What others refer to: the ball as it moves; null where it is never seen.</summary>
+    /// <summary>Returns the definition of the moving ball, to which other elements refer; null if the ball is never visible.</summary>
     public XElement? Definition()
     {
         if (!_isSeen.Contains(true))
@@ -83,7 +83,7 @@ internal sealed class SketchedBall
                         ]))));
     }
 
-    /// <summary>Its shadow: straight below it, wider and fainter the higher it is; null where the ball is never seen.</summary>
+    /// <summary>Draws the shadow below the ball: the higher the ball, the wider and fainter the shadow. Returns null if the ball is never visible.</summary>
     public XElement? Shadow(Func<Vector3d, double> groundAt)
     {
         if (!_isSeen.Contains(true))
@@ -104,10 +104,10 @@ internal sealed class SketchedBall
                 Animation("fill-opacity", Values(heights.Select((height, i) => _isSeen[i] ? 0.55 / (1 + (0.3 * height)) : 0)))));
     }
 
-    /// <summary>Its way and itself where they are nearer than one depth and no nearer than the next.</summary>
-    /// <param name="from">What a metre is worth at the farther depth.</param>
-    /// <param name="to">What it is worth at the nearer one.</param>
-    /// <param name="colour">The colour of the way.</param>
+    /// <summary>Draws the path and the ball where they are between two depths.</summary>
+    /// <param name="from">The size of a metre at the farther depth; included.</param>
+    /// <param name="to">The size of a metre at the nearer depth; excluded.</param>
+    /// <param name="colour">The colour of the path.</param>
     public IEnumerable<XElement> Between(double from, double to, string colour)
     {
         bool[] here = [.. _seen.Select((at, i) => _isSeen[i] && at.Metre >= from && at.Metre < to)];
@@ -164,7 +164,7 @@ internal sealed class SketchedBall
         }
     }
 
-    /// <summary>The twelve pentagons around the corners of an icosahedron.</summary>
+    /// <summary>Returns the twelve pentagons around the corners of an icosahedron.</summary>
     private static (Vector3d Middle, Vector3d[] Corners)[] Panels()
     {
         double golden = (1 + Math.Sqrt(5)) / 2;
@@ -179,7 +179,7 @@ internal sealed class SketchedBall
         })];
     }
 
-    /// <summary>The panels that are seen of a ball of radius 1.</summary>
+    /// <summary>Returns the visible panels of a ball of radius 1.</summary>
     private string Drawn(Quaterniond turn)
     {
         var path = new StringBuilder();
@@ -193,7 +193,7 @@ internal sealed class SketchedBall
             for (int i = 0; i < corners.Length; i++)
             {
                 (double right, double up, double near) = _eye.Towards(turn.Rotate(corners[i]));
-                // What is behind is drawn at the rim.
+                // Points on the far side are drawn at the rim.
                 double s = near < 0 ? 1 / Math.Max(1e-9, Math.Sqrt((right * right) + (up * up))) : 1;
                 path.Append(i == 0 ? 'M' : 'L').Append(Svg.Number(s * right)).Append(',').Append(Svg.Number(-s * up));
             }
@@ -218,7 +218,7 @@ internal sealed class SketchedBall
 
     private static string Values(IEnumerable<double> values) => Values(values.Select(Svg.Number));
 
-    /// <summary>The last value stays until all begins again.</summary>
+    /// <summary>Returns the values of an animation. The last value stays until the animation repeats.</summary>
     private static string Values(IEnumerable<string> values)
     {
         string[] all = [.. values];

@@ -2,22 +2,22 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Replay;
 
-/// <summary>The way of a ball in as few keys as show it: cubics between them stay within a millimetre of every step.</summary>
+/// <summary>The path of a ball in as few keys as possible: cubics between the keys stay within a millimetre of every step.</summary>
 internal sealed class Track
 {
-    /// <summary>How far a cubic may be from the path, m.</summary>
+    /// <summary>The maximum distance of a cubic from the path, in m.</summary>
     private const double Tolerance = 1e-3;
 
-    /// <summary>Time between keys at most, s: numbers between them are read off a line.</summary>
+    /// <summary>The maximum time between keys, in s, because other numbers are interpolated linearly between keys.</summary>
     private const double Longest = 0.2;
 
-    /// <summary>Turn between keys at most, rad: beyond half a turn nobody could tell which way the ball turned.</summary>
+    /// <summary>The maximum rotation between keys, in rad. Beyond half a turn, the direction of the rotation is ambiguous.</summary>
     private const double MostTurn = 2.4;
 
-    /// <summary>Keys at most between two steps: a spin faster than that is shown too slow.</summary>
+    /// <summary>The maximum number of keys between two steps. A faster spin is shown too slow.</summary>
     private const int MostBetween = 32;
 
-    /// <summary>The way of a shot whose path was kept.</summary>
+    /// <summary>Creates the path of a shot with samples.</summary>
     public Track(Scenario scenario, Outcome outcome)
     {
         Radius = scenario.Scene.Ball.Radius;
@@ -32,10 +32,10 @@ internal sealed class Track
 
     public IReadOnlyList<BallEvent> Events { get; }
 
-    /// <summary>The name of what the ball meets in an event; null for none.</summary>
+    /// <summary>Returns the name of the object that the ball hits in an event; null if there is none.</summary>
     public Func<BallEvent, string?> SurfaceOf { get; }
 
-    /// <summary>Position between two keys.</summary>
+    /// <summary>Returns the position at a time between two keys, in m.</summary>
     public static Vector3d Between(in TrackKey from, in TrackKey to, double time)
     {
         double h = to.Time - from.Time;
@@ -45,7 +45,7 @@ internal sealed class Track
             + (h * s * r * ((r * from.Velocity) - (s * to.VelocityBefore)));
     }
 
-    /// <summary>Every step and every event, and as many in between as a fast spin needs.</summary>
+    /// <summary>Returns a key for every step and event, and additional keys for a fast spin.</summary>
     private static List<TrackKey> Dense(Outcome outcome)
     {
         IReadOnlyList<Moment> samples = outcome.Samples!;
@@ -80,11 +80,11 @@ internal sealed class Track
 
     private static TrackKey Key(in Moment at) => new(at.Time, at.Position, at.Velocity, at.Velocity, at.Spin, at.Orientation, at.State);
 
-    /// <summary>How a ball is turned a while after a key, by its spin then.</summary>
+    /// <summary>Returns the orientation of a ball at a time after a key, from the spin at the key.</summary>
     public static Quaterniond Turned(in TrackKey from, double time) =>
         (Quaterniond.FromRotationVector((time - from.Time) * from.Spin) * from.Orientation).Normalized();
 
-    /// <summary>Adds a key, with others before it where the ball turns too far for one.</summary>
+    /// <summary>Adds a key. If the ball turns too far for one key, it adds others before it.</summary>
     private static void AddTurning(List<TrackKey> keys, in TrackKey key)
     {
         TrackKey from = keys[^1];
@@ -119,7 +119,7 @@ internal sealed class Track
         return kept;
     }
 
-    /// <summary>Whether what is between two keys can be left out.</summary>
+    /// <summary>True if the keys between two keys can be removed.</summary>
     private static bool Stands(List<TrackKey> all, int from, int to)
     {
         TrackKey a = all[from];

@@ -9,7 +9,7 @@ using SharpGLTF.Transforms;
 
 namespace FootballPhysics.Tool.Replay.Gltf;
 
-/// <summary>A moving picture as a glTF 2.0 file: right-handed, y up, metres and seconds, as the library has them.</summary>
+/// <summary>An animation as a glTF 2.0 file: right-handed, y up, metres and seconds, as in the library.</summary>
 internal sealed class GltfFile
 {
     private const string Base = "scene";
@@ -26,7 +26,6 @@ internal sealed class GltfFile
         _play = _root.CreateAnimation("play");
     }
 
-    /// <summary>The file's text.</summary>
     public static string Text(ReplayPicture picture)
     {
         var file = new GltfFile(picture.Name);
@@ -55,7 +54,7 @@ internal sealed class GltfFile
         return file.InOneFile();
     }
 
-    /// <summary>The text, with the numbers in it and not in a file beside it.</summary>
+    /// <summary>Returns the text with embedded binary data, without a second file.</summary>
     private string InOneFile()
     {
         _root.MergeBuffers();
@@ -130,7 +129,7 @@ internal sealed class GltfFile
         }
     }
 
-    /// <summary>Times must increase as single numbers too, and a path needs two of them.</summary>
+    /// <summary>Removes keys whose times are equal in single precision, and returns at least two keys.</summary>
     private static List<TrackKey> Distinct(IReadOnlyList<TrackKey> keys)
     {
         List<TrackKey> kept = [keys[0]];

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Tool.Replay.Gltf;
 
-/// <summary>Triangles, counter-clockwise seen from outside, with normals at their corners.</summary>
+/// <summary>A triangle mesh, counter-clockwise seen from outside, with a normal at each corner.</summary>
 internal sealed class Mesh
 {
-    /// <summary>Sides of what is round.</summary>
+    /// <summary>The number of sides of round shapes.</summary>
     private const int Sides = 16;
 
-    /// <summary>Rings of a hemisphere.</summary>
+    /// <summary>The number of rings of a hemisphere.</summary>
     private const int Rings = 5;
 
     public List<Vector3d> Positions { get; } = [];
@@ -15,7 +15,7 @@ internal sealed class Mesh
 
     public List<int> Indices { get; } = [];
 
-    /// <summary>Flat polygons.</summary>
+    /// <summary>Returns a mesh of flat polygons.</summary>
     public static Mesh Of(IReadOnlyList<Vector3d[]> faces)
     {
         var mesh = new Mesh();
@@ -37,7 +37,7 @@ internal sealed class Mesh
         return mesh;
     }
 
-    /// <summary>A rod with round ends; a ball where both ends are one point.</summary>
+    /// <summary>Returns a capsule; a sphere if both ends are equal.</summary>
     public static Mesh Rod(Vector3d from, Vector3d to, double radius)
     {
         var mesh = new Mesh();
@@ -46,7 +46,7 @@ internal sealed class Mesh
         Vector3d v = Vector3d.Cross(axis, u);
         for (int ring = 0; ring <= (2 * Rings) + 1; ring++)
         {
-            // Two rings at the equator: one around each end.
+            // There are two rings at the equator, one around each end.
             bool below = ring <= Rings;
             double angle = ((below ? ring : ring - 1) - Rings) * (Math.PI / 2) / Rings;
             for (int side = 0; side < Sides; side++)
@@ -70,7 +70,7 @@ internal sealed class Mesh
         return mesh;
     }
 
-    /// <summary>The ground.</summary>
+    /// <summary>Returns a mesh of the ground.</summary>
     public static Mesh Of(GroundGrid ground)
     {
         var mesh = new Mesh();
@@ -96,7 +96,7 @@ internal sealed class Mesh
         return mesh;
     }
 
-    /// <summary>The panels of a ball of radius 1: the twelve pentagons of a truncated icosahedron, or its twenty hexagons.</summary>
+    /// <summary>Returns the panels of a ball of radius 1: the twelve pentagons of a truncated icosahedron, or its twenty hexagons.</summary>
     public static Mesh Panels(bool pentagons)
     {
         double golden = (1 + Math.Sqrt(5)) / 2;
@@ -136,7 +136,7 @@ internal sealed class Mesh
         Normals.Add(normal);
     }
 
-    /// <summary>A panel of the ball: its corners in order around its middle, each triangle of the fan in four, on the sphere.</summary>
+    /// <summary>Adds a panel of the ball from its corners, in order around its centre. Each triangle of the fan is divided into four, on the sphere.</summary>
     private void AddPanel(Vector3d[] panel)
     {
         Vector3d middle = panel.Aggregate((a, b) => a + b).Normalized();

@@ -14,14 +14,14 @@ CORNERS.forEach((c, i) => {
   near.filter(j => j > i).forEach(j => SEAMS.push([unit(add(mul(2, c), CORNERS[j])), unit(add(c, mul(2, CORNERS[j])))]));
 });
 
-// Draws a ball of a radius in pixels, turned as it is, seen by a camera; a rim of a colour tells balls apart.
+// Draws a ball with the given radius in pixels and orientation. A coloured rim distinguishes the balls.
 function drawBall(g, camera, q, x, y, r, colour) {
   const seen = d => {
     const w = rotate(q, d);
     return [dot(w, camera.right), dot(w, camera.up), -dot(w, camera.forward)];
   };
   const place = c => {
-    // What is behind is drawn at the rim.
+    // Points on the far side are drawn at the rim.
     const flat = Math.hypot(c[0], c[1]) || 1;
     const s = c[2] < 0 ? 1 / flat : 1;
     return [x + r * s * c[0], y - r * s * c[1]];

@@ -1,8 +1,8 @@
-// A camera that turns about what it looks at.
+// A camera that orbits its target.
 const FIELD = 40 * Math.PI / 180;
 const NEAR = 0.15;
 
-// The eye is at least so high above the ground, m.
+// The minimum height of the camera above the ground, in m.
 const LOWEST = 0.35;
 
 class Camera {
@@ -25,7 +25,7 @@ class Camera {
   update() {
     this.pitch = clamp(this.pitch, -1.55, 1.55);
     this.place();
-    // Never under the grass, which may rise towards the eye.
+    // Keep the camera above the grass, which may rise towards it.
     for (let i = 0; i < 4; i++) {
       const least = this.groundAt(this.eye[0], this.eye[2]) + LOWEST;
       if (this.eye[1] >= least - 1e-9) break;
@@ -42,7 +42,7 @@ class Camera {
     this.eye = sub(this.target, mul(this.distance, this.forward));
   }
 
-  // Looks from one place to another.
+  // Places the camera at a position, looking at a target.
   lookFrom(eye, target) {
     const d = sub(eye, target);
     this.target = target;
@@ -52,19 +52,19 @@ class Camera {
     this.update();
   }
 
-  // What the camera sees changes with this.
+  // A key that changes with the view.
   get key() {
     return [...this.eye, ...this.forward, this.width, this.height, this.focus].map(x => x.toFixed(4)).join(" ");
   }
 
-  // Where the way through a pixel crosses a plane of one z; null where it does not.
+  // Returns the point at which the ray through a pixel crosses a plane of constant z; null if it does not.
   onPlane(x, y, z) {
     const d = add(add(mul(this.focus, this.forward), mul(x - 0.5 * this.width, this.right)), mul(this.middle() - y, this.up));
     const s = (z - this.eye[2]) / d[2];
     return s > 0 ? add(this.eye, mul(s, d)) : null;
   }
 
-  // Right, up and forward of the eye, m.
+  // Returns the components to the right, up and forward of the camera, in m.
   see(p) {
     const d = sub(p, this.eye);
     return [dot(d, this.right), dot(d, this.up), dot(d, this.forward)];
@@ -75,7 +75,7 @@ class Camera {
     return [0.5 * this.width + s * c[0], this.middle() - s * c[1], s];
   }
 
-  // The bar at the foot of the page hides a part of the picture.
+  // The centre of the image is higher, because the bar at the bottom of the page hides a part of it.
   middle() { return 0.47 * this.height; }
 
   project(p) {
@@ -83,7 +83,7 @@ class Camera {
     return c[2] > NEAR ? this.screen(c) : null;
   }
 
-  // The part of a closed or open line that is before the eye, on the screen.
+  // Returns the part of an open or closed line that is in front of the camera, on the screen.
   clipped(line, closed) {
     const seen = line.map(p => this.see(p));
     const out = [];
@@ -102,7 +102,7 @@ class Camera {
     return c[2] > NEAR ? this.focus / c[2] : 0;
   }
 
-  // Goes as near as all the places can still be seen between margins, in pixels.
+  // Moves the camera as close as possible with all points inside the margins, in pixels.
   fit(places, margin) {
     const low = [0, 1, 2].map(i => Math.min(...places.map(p => p[i])));
     const high = [0, 1, 2].map(i => Math.max(...places.map(p => p[i])));
@@ -111,7 +111,7 @@ class Camera {
       const s = this.project(p);
       return s && s[0] > margin.left && s[0] < this.width - margin.right && s[1] > margin.top && s[1] < this.height - margin.bottom;
     });
-    // By turns the distance and the middle of what is seen.
+    // Adjust the distance and the target in turn.
     for (let round = 0; round < 20; round++) {
       if (round > 0) this.center(places, margin);
       let near = 1, far = 4000;
@@ -130,7 +130,7 @@ class Camera {
     if (seen.length === 0) return;
     const x = 0.5 * (Math.min(...seen.map(s => s[0])) + Math.max(...seen.map(s => s[0])));
     const y = 0.5 * (Math.min(...seen.map(s => s[1])) + Math.max(...seen.map(s => s[1])));
-    // By the nearest place, which moves most on the screen.
+    // Use the scale of the nearest point, which moves most on the screen.
     const s = 1 / Math.max(...seen.map(at => at[2]));
     this.target = add(this.target, add(
       mul(s * (x - 0.5 * (margin.left + this.width - margin.right)), this.right),

@@ -1,7 +1,7 @@
-// People: limbs of two radii along a skeleton of feet, shoulders and hands. What a limb is made of stands in figures.json.
+// People: limbs with two radii, placed relative to feet, shoulders and hands. figures.json defines the limbs.
 const FIGURES = JSON.parse(document.getElementById("figures").textContent);
 
-// The limbs of somebody; facing is a level direction, kit the name of what is worn, who a number that picks a face.
+// Returns the limbs of a person. facing is a horizontal direction, kit a name in figures.json, and who a number that selects colours.
 function limbsOf(feet, shoulders, hands, facing, kit, who = 0) {
   const colours = FIGURES.kits[kit], up = unit(sub(shoulders, feet)), right = unit(cross(up, facing)), front = cross(right, up);
   const at = c => [0, 1, 2].map(i => c[0] * feet[i] + c[1] * shoulders[i] + c[2] * hands[i] + c[3] * right[i] + c[4] * front[i] + c[5] * up[i]);
@@ -9,7 +9,7 @@ function limbsOf(feet, shoulders, hands, facing, kit, who = 0) {
   return FIGURES.limbs.map(limb => ({ from: at(limb.from), to: at(limb.to), r: limb.r, colour: picked(limb.part) }));
 }
 
-// Paints limbs from far to near: each the hull of two discs, lit from the left and above.
+// Paints limbs from far to near. Each is the hull of two discs, lit from the upper left.
 function paintFigure(g, camera, limbs, dim) {
   const seen = limbs.map(limb => ({ limb, a: camera.project(limb.from), b: camera.project(limb.to), z: camera.see(limb.from)[2] + camera.see(limb.to)[2] }))
     .filter(s => s.a && s.b).sort((a, b) => b.z - a.z);
@@ -36,7 +36,7 @@ function paintFigure(g, camera, limbs, dim) {
   }
 }
 
-// The outline around two discs.
+// Traces the outline around two discs.
 function hull(g, a, ra, b, rb) {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]], d = Math.hypot(dx, dy);
   g.beginPath();

@@ -1,4 +1,4 @@
-// What a person does with the page. An address like page.html#picture=chip&time=1.2&view=side&theme=dark begins there, at rest.
+// The controls of the page. An address such as page.html#picture=chip&time=1.2&view=side&theme=dark sets the initial state; the animation is then paused.
 const $ = id => document.getElementById(id);
 const data = JSON.parse($("data").textContent);
 const begin = new URLSearchParams(location.hash.slice(1));
@@ -13,7 +13,7 @@ const redraw = () => {
   stage.figures = keeper(time);
   stage.draw(shown(), time, hover);
 };
-// The goalkeeper between two poses: rows of time, feet, shoulders and hands.
+// Returns the goalkeeper between two poses: rows of time, feet, shoulders and hands.
 const POSE = 10;
 function keeper(t) {
   const rows = stage.picture.keeper, last = rows.length / POSE - 1;
@@ -77,7 +77,7 @@ function limits() {
   })));
 }
 
-// A story is over a moment after the goal or what was hit; else where the ball only rolls on.
+// Returns the end of the interesting part: a moment after the goal or the last hit of an object; otherwise after the ball begins to roll.
 function storyEnd(shot) {
   const last = kind => shot.events.filter(kind).reduce((t, e) => Math.max(t, e.time), -1);
   const goal = shot.events.find(e => e.kind === "goal"), hit = last(e => e.kind === "impact" && e.surface && e.surface !== "ground"), rolls = last(e => e.kind === "roll");
@@ -102,7 +102,7 @@ function follow() {
 function look(name) {
   view = name;
   document.querySelectorAll("[data-view]").forEach(b => b.setAttribute("aria-pressed", b.dataset.view === name));
-  // Along the way of most.
+  // Use the mean direction of the paths.
   const ways = (shown().length ? shown() : shots).map(({ track }) => {
     const start = track.keys[0], way = sub(track.at(Math.min(track.end, 1.5)).p, start.p);
     const along = Math.hypot(way[0], way[2]) > 0.5 ? way : start.v;
@@ -125,7 +125,7 @@ function look(name) {
   redraw();
 }
 
-// Behind the ball, as near to it as all of the picture fits between the panels: the ball lies in the foreground with nothing over it.
+// Moves the camera behind the ball, as close as possible with the complete picture between the panels. The ball is in the foreground, and nothing covers it.
 function behind(way, margin) {
   const start = (shown()[0] || shots[0]).track.keys[0].p, places = [start, ...focus()];
   const low = [0, 1, 2].map(i => Math.min(...places.map(p => p[i]))), high = [0, 1, 2].map(i => Math.max(...places.map(p => p[i])));
@@ -135,7 +135,7 @@ function behind(way, margin) {
     return s && s[0] > margin.left && s[0] < camera.width - margin.right && s[1] > margin.top && s[1] < camera.height - margin.bottom;
   };
   for (let back = 4; back < 400; back *= 1.07) {
-    // Looked at so that what is to be seen lies in the middle of what is free.
+    // Aim the camera so that the points are in the centre of the free area.
     const eye = add(sub(start, mul(back, way)), [0, 0.9 + 0.27 * back, 0]);
     let target = add(add(start, mul(far, way)), [0, 0.3 * (high[1] - low[1]), 0]);
     for (let round = 0; round < 4; round++) {
@@ -150,7 +150,7 @@ function behind(way, margin) {
   }
 }
 
-// What is to be in view: the paths up to where the rolling begins to be long, and the frames of goals near them.
+// Returns the points that must be visible: the paths without their long final parts, and goals and obstacles near them.
 function focus() {
   const paths = (shown().length ? shown() : shots).filter(s => !s.compares || shots.length === 1);
   const all = paths.flatMap(s => {
@@ -163,7 +163,7 @@ function focus() {
   const near = p => [0, 2].every(i => p[i] > low[i] - 8 && p[i] < high[i] + 8);
   const frames = stage.shapes.filter(s => s.kind === "frame" || s.kind === "obstacle").flatMap(s => [...s.lines, ...s.faces]).filter(l => l.every(near));
   const places = [...all, ...frames.flat()];
-  // A ball that hardly moves is not looked at through a microscope.
+  // If the ball hardly moves, limit the zoom.
   const middle = lerp(low, high, 0.5);
   return len(sub(high, low)) > 3 ? places : [...places, add(middle, [1.5, 0, 1.5]), add(middle, [-1.5, 0.5, -1.5])];
 }
@@ -183,7 +183,7 @@ function frame(now) {
   if (!playing) return;
   const passed = Math.min(0.1, Math.max(0, now - last) / 1000);
   last = now;
-  // At the end of the story it waits for a moment, and begins again.
+  // At the end, wait for a moment, and start again.
   if (time < story) go(time + speed * passed);
   else if ((ended += passed) > 0.9) { ended = 0; go(0); }
   requestAnimationFrame(frame);

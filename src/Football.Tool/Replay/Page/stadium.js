@@ -1,4 +1,4 @@
-// What does not move: sky, stands, boards, grass and its lines. Painted once for a place of the camera, then copied.
+// Static objects: sky, stands, boards, grass and its lines. They are painted once per camera position, then copied.
 const LIGHT = {
   skies: ["#5aa5df", "#a9d3f0", "#e6f3fb"], bank: "#4a5566", roof: "#37404d", board: "#16324f", board2: "#0f5c8c", boardText: "#f4f8fb", haze: "rgba(230,243,251,",
   grass: "#64a64a", grass2: "#549139", outside: "#477d32", line: "rgba(255,255,255,0.88)", dusk: "rgba(10,30,5,",
@@ -14,7 +14,7 @@ const NIGHT = {
 const HALF_WIDTH = 34, LENGTH = 105, STRIPE = 5.5;
 
 class Stadium {
-  // The goals say where the pitch is; without one there is a meadow.
+  // The goals determine the position of the pitch. Without goals, there is only a meadow.
   constructor(goals) {
     this.goal = goals && goals.length > 0 ? goals[0] : null;
     if (!this.goal) return;
@@ -84,7 +84,7 @@ class Stadium {
     if (this.goal) this.boards(g, camera, look);
   }
 
-  // Who looks at a bank from behind does not see it.
+  // Returns the stands; those seen from behind are omitted.
   sides(camera) {
     const inside = p => dot(sub(camera.eye, p[0]), p[1]) > 0;
     const [w, l] = [HALF_WIDTH + 4, LENGTH + 4];
@@ -116,7 +116,7 @@ class Stadium {
     }
   }
 
-  // A stand is darker the deeper under its roof.
+  // The deeper a row is under the roof, the darker it is.
   shade(g, camera, front, back, corners) {
     const [a, b, screen] = [camera.project(front), camera.project(back), camera.clipped(corners, true)];
     if (!a || !b || screen.length < 3) return;
@@ -129,7 +129,7 @@ class Stadium {
     g.fill();
   }
 
-  // One row of people: dashes as wide as a seat, of several colours, that begin anywhere.
+  // Paints a row of spectators: dashes as wide as a seat, in several colours and with different offsets.
   row(g, camera, look, i, at) {
     const parts = 10;
     for (let k = 0; k < parts; k++) {
@@ -137,7 +137,7 @@ class Stadium {
       if (line.length < 2) continue;
       const scale = Math.max(line[0][2], line[1][2]);
       if (line.every(p => p[0] < -50) || line.every(p => p[0] > camera.width + 50) || line.every(p => p[1] < -50)) continue;
-      // Shoulders, then heads above them.
+      // Paint the shoulders, then the heads above them.
       for (let c = 0; c < 5; c++) {
         const tone = (i * 7 + k * 3 + c * 5) % look.crowd.length, seat = 0.5 * scale, phase = (c * 2.3 + (i * 53 + k * 29) % 17) * seat;
         const gaps = [(1.6 + (i * 31 + k * 17 + c * 13) % 7 * 0.6) * seat, (2.6 + (i * 5 + c * 11 + k) % 5 * 0.8) * seat];
@@ -172,7 +172,7 @@ class Stadium {
     }
   }
 
-  // Boards around the pitch; what stands on them is bent into perspective panel by panel.
+  // Paints boards around the pitch. Their texts are drawn in perspective, panel by panel.
   boards(g, camera, look) {
     const words = ["FOOTBALL.PHYSICS", "SAME BITS EVERYWHERE", "KICK IT", "0 DEPENDENCIES"];
     for (const side of this.sides(camera)) {

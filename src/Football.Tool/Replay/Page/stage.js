@@ -1,9 +1,9 @@
-// Draws a picture at a time. What was drawn is told in the canvas' data-drawn, for whoever checks it.
+// Draws a picture at a time. For tests, the canvas attribute data-drawn lists the drawn items.
 const LEAST_BALL = 5;
 const COLOURS = ["#0072b2", "#e07b00", "#009e73", "#c8382b", "#9b5fa8", "#56b4e9", "#b58900", "#d55e9c"];
 const COLOURS_IN_THE_DARK = ["#56b4e9", "#f2a33a", "#2ec795", "#ef6a5e", "#cf98dc", "#a5dcff", "#d9b44a", "#f08cc8"];
 const EVENT_COLOURS = { impact: "#ffd23f", slide: "#e07b00", roll: "#4fd1a5", rest: "#e5484d", net: "#9ad0f5", goal: "#ff5ad1", leave: "#c9a5ff" };
-// How wide a bulge of a net is, m, and its meshes.
+// The width of a bulge of a net, and of the meshes, in m.
 const BULGE_WIDTH = 0.75, MESH = 0.24;
 
 class Stage {
@@ -45,7 +45,7 @@ class Stage {
     this.picture = picture;
     this.shapes = picture.shapes.map(s => ({ ...s, lines: s.lines.map(points), faces: s.faces.map(points) }));
     this.nets = this.shapes.filter(s => s.kind === "net").flatMap(s => s.faces.map(face => new NetSheet(face)));
-    // Whoever moves does so until the ball has met him.
+    // A moving person moves until he meets the ball.
     const met = name => Math.min(Infinity, ...(picture.shots || []).flatMap(shot => shot.events).filter(e => e.kind === "impact" && e.surface === name).map(e => e.time));
     this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0], velocity: s.velocity, until: met(s.name) })));
     this.targets = points(picture.targets || []);
@@ -68,7 +68,7 @@ class Stage {
     return (1 - r) * ((1 - s) * h(i, j) + s * h(i + 1, j)) + r * ((1 - s) * h(i, j + 1) + s * h(i + 1, j + 1));
   }
 
-  // Draws all shots that are shown, at a time; hover is a place on a path under the pointer.
+  // Draws all visible shots at a time; hover is the point of a path under the pointer.
   draw(shots, time, hover) {
     const { camera } = this;
     this.paintBack();
@@ -80,7 +80,7 @@ class Stage {
     people.forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
     balls.forEach(ball => this.drawShadow(ball));
 
-    // From far to near.
+    // Paint from far to near.
     const items = [];
     const item = (p, paint) => { const z = camera.see(p)[2]; if (z > NEAR) items.push({ z, paint }); };
     this.shapes.filter(s => s.kind === "frame" || s.kind === "obstacle").forEach(s => this.addShape(s, time, item));
@@ -100,7 +100,7 @@ class Stage {
     this.canvas.dataset.drawn = JSON.stringify(this.drawn);
   }
 
-  // What stands still is painted anew only when the camera has moved.
+  // Repaint the static objects only if the camera has moved.
   paintBack() {
     const key = this.camera.key;
     if (key === this.backKey) return;
@@ -133,7 +133,7 @@ class Stage {
       g.strokeStyle = g.fillStyle;
       g.lineWidth = 0.8;
       g.stroke();
-      // Light from the left and above.
+      // The light comes from the upper left.
       const n = unit(cross(sub(cell.corners[3], cell.corners[0]), sub(cell.corners[1], cell.corners[0])));
       const shade = dot(n, unit([-0.8, 1, 0.3])) - unit([-0.8, 1, 0.3])[1];
       g.fillStyle = shade > 0 ? `rgba(255,255,255,${clamp(0.9 * shade, 0, 0.5)})` : `rgba(0,0,0,${clamp(-1.2 * shade, 0, 0.6)})`;
@@ -142,7 +142,7 @@ class Stage {
     }
   }
 
-  // A line through places, as wide as it is in metres but always to be seen; how many were drawn.
+  // Draws a line through points with a width in metres and a minimum width in pixels; returns the number of lines drawn.
   line(g, places, colour, width, least = 1) {
     const screen = this.camera.clipped(places, false);
     if (screen.length < 2) return 0;
@@ -156,7 +156,7 @@ class Stage {
     return 1;
   }
 
-  // A line on the grass, as wide as it is painted: twelve centimetres, seen in perspective.
+  // Draws a line on the grass in perspective; it is twelve centimetres wide.
   marking(g, line) {
     const half = line.map((p, i) => {
       const along = sub(line[Math.min(i + 1, line.length - 1)], line[Math.max(i - 1, 0)]), flat = Math.hypot(along[0], along[2]) || 1;
@@ -213,13 +213,13 @@ class Stage {
     }
   }
 
-  // A round rod, lit from the left and above; round where it begins and ends, seamless where it goes on.
+  // Draws a round rod, lit from the upper left. Its ends are round, and its joints seamless.
   rod(from, to, radius, colour, begins, ends) {
     const [a, b] = [this.camera.project(from), this.camera.project(to)];
     if (!a || !b) return;
     const { g } = this, [ra, rb] = [Math.max(0.9, radius * a[2]), Math.max(0.9, radius * b[2])];
     const d = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-    // Across the rod on the screen, towards the light.
+    // The direction across the rod on the screen, towards the light.
     let [x, y] = [(a[1] - b[1]) / d, (b[0] - a[0]) / d];
     if (-0.5 * x - y < 0) [x, y] = [-x, -y];
     const across = g.createLinearGradient(a[0] + ra * x, a[1] + ra * y, a[0] - ra * x, a[1] - ra * y);
@@ -227,7 +227,7 @@ class Stage {
     across.addColorStop(0.55, colour);
     across.addColorStop(1, this.colour["frame-shade"]);
     g.fillStyle = across;
-    // A pixel longer, so that nothing shines through between two parts.
+    // Extend each part by a pixel, so that no gap is visible between two parts.
     const [u, v] = [(b[0] - a[0]) / d * 0.6, (b[1] - a[1]) / d * 0.6];
     trace(g, [[a[0] + ra * x - u, a[1] + ra * y - v], [b[0] + rb * x + u, b[1] + rb * y + v], [b[0] - rb * x + u, b[1] - rb * y + v], [a[0] - ra * x - u, a[1] - ra * y - v]]);
     g.fill();
@@ -264,7 +264,7 @@ class Stage {
     }
   }
 
-  // The way ahead: dots that grow faint.
+  // Draws the path ahead as dots that become fainter.
   drawAhead(dot, i) {
     const s = this.camera.project(dot.p);
     if (!s) return;
@@ -286,7 +286,7 @@ class Stage {
     this.g.globalAlpha = 1;
   }
 
-  // A soft round shadow on the ground.
+  // Draws a soft round shadow on the ground.
   blob(p, radius, strength, ground) {
     if (!this.picture.ground) return;
     const { g } = this;
@@ -302,7 +302,7 @@ class Stage {
     g.globalAlpha = 1;
   }
 
-  // The shadow tells the height: straight below, wider and fainter the higher the ball, with a plumb line up to it.
+  // Draws the shadow below the ball, which shows its height: the higher the ball, the wider and fainter the shadow. A plumb line joins both.
   drawShadow({ shot, at }) {
     if (!this.picture.ground) return;
     const ground = this.groundAt(at.p[0], at.p[2]), height = Math.max(0, at.p[1] - ground - shot.radius);
@@ -328,7 +328,7 @@ class Stage {
     this.drawn.balls++;
   }
 
-  // Whole seconds along a path, and what happened on it; behind what they are behind.
+  // Adds the whole seconds and the events of a path. Nearer objects hide them.
   addMarks(shot, time, item) {
     if (shot.plain) return;
     const { g } = this;
@@ -398,14 +398,14 @@ class Stage {
   }
 }
 
-// Somebody where he is at a time.
+// Returns a person at a time.
 function movedTo(person, time) {
   if (person.velocity.every(x => x === 0)) return person;
   const way = mul(Math.min(time, person.until), person.velocity);
   return { ...person, feet: add(person.feet, way), limbs: person.limbs.map(l => ({ ...l, from: add(l.from, way), to: add(l.to, way) })) };
 }
 
-// A net between four corners, the second along the first half side, the fourth along the other.
+// A net between four corners. Its columns divide the side from the first to the second corner, its rows that from the first to the fourth.
 class NetSheet {
   constructor([a, b, c, d]) {
     this.middle = mul(0.25, [a, b, c, d].reduce(add));
@@ -417,7 +417,7 @@ class NetSheet {
     }
   }
 
-  // With a bulge { depth, position, direction }, if there is one.
+  // Paints the net with an optional bulge { depth, position, direction }.
   paint(g, camera, bulge, colour) {
     const base = bulge && sub(bulge.position, mul(bulge.depth, bulge.direction));
     const seen = this.nodes.map(p => {

@@ -1,9 +1,9 @@
-// The way of a ball: keys of time, place, velocity before and after, spin, orientation and motion.
+// The path of a ball: keys with time, position, velocity before and after, spin, orientation and motion.
 const WIDTH = 18;
 const MOTIONS = ["flies", "slides", "rolls", "rests"];
 
 class Track {
-  // From rows of numbers, or from keys.
+  // Creates a track from rows of numbers, or from keys.
   constructor({ keys }) {
     this.keys = typeof keys[0] === "number" ? Track.unrolled(keys) : keys;
     this.end = this.keys[this.keys.length - 1].t;
@@ -30,7 +30,7 @@ class Track {
     return low;
   }
 
-  // The ball at a time: the cubic through places and velocities, and the shorter way from orientation to orientation.
+  // Returns the ball at a time: the cubic through positions and velocities, and the shorter rotation between orientations.
   at(t) {
     const i = this.index(t), a = this.keys[i], b = this.keys[Math.min(i + 1, this.keys.length - 1)];
     const h = b.t - a.t;
@@ -41,7 +41,7 @@ class Track {
     return { t, p, v: lerp(a.v, b.before, s), spin: lerp(a.spin, b.spin, s), q: slerp(a.q, b.q, s), motion: a.motion };
   }
 
-  // Points for drawing: close in time, and every key where the velocity jumps.
+  // Returns points for drawing: at short time intervals, and at every key where the velocity jumps.
   sampled() {
     const path = [];
     for (let i = 0; i + 1 < this.keys.length; i++) {
@@ -56,7 +56,7 @@ class Track {
   }
 }
 
-// How nets give way: of each the bulges in the order of time, from rows of time, net, depth, position and direction.
+// The movements of nets: for each net its bulges in order of time, from rows of time, net, depth, position and direction.
 const NET_ROW = 9;
 
 class NetTrack {
@@ -72,7 +72,7 @@ class NetTrack {
     }
   }
 
-  // Puts the bulges at a time into a map by net, where they are deeper than what is there.
+  // Writes the bulges at a time to a map by net, if they are deeper than those in the map.
   at(t, into) {
     for (const [net, all] of this.nets) {
       const next = all.findIndex(b => b.t > t);

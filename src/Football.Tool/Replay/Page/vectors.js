@@ -24,7 +24,7 @@ const slerp = (a, b, s) => {
   return a.map((x, i) => u * x + sign * v * b[i]);
 };
 
-// Numbers in threes as points.
+// Returns the points of a flat list of numbers, three per point.
 const points = flat => {
   const all = [];
   for (let i = 0; i < flat.length; i += 3) all.push([flat[i], flat[i + 1], flat[i + 2]]);
