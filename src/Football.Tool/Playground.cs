@@ -2,13 +2,13 @@ using System.Reflection;
 
 namespace FootballPhysics.Tool;
 
-/// <summary>The page to play with: the library itself as WebAssembly, in one file that opens from disk.</summary>
+/// <summary>The interactive page: the library as WebAssembly, in one file that opens from disk.</summary>
 public static class Playground
 {
-    /// <summary>Its name where it is written beside other pages.</summary>
+    /// <summary>The name of the file next to other pages.</summary>
     public const string File = "play.html";
 
-    /// <summary>The page.</summary>
+    /// <summary>The content of the page.</summary>
     public static string Html
     {
         get

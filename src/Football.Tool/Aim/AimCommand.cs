@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Aim;
 
-/// <summary>football aim: finds the kicks that the scenarios of a file ask for.</summary>
+/// <summary>football aim: finds the kicks for the scenarios of a file.</summary>
 internal static class AimCommand
 {
     private const string Request = """{"aim": {"from": [0, 0.11, 0], "target": [20, 1.5, 3], "speed": 25}}""";

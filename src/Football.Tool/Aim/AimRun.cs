@@ -11,7 +11,7 @@ internal static class AimRun
     [ThreadStatic]
     private static ThesisAimer? s_aimer;
 
-    /// <summary>Finds it.</summary>
+    /// <summary>Finds the kick, and checks that it is finite.</summary>
     /// <exception cref="RefusedException">The motion overflowed, although each number is allowed.</exception>
     public static AimResult Find(AimScenario scenario)
     {
@@ -21,9 +21,9 @@ internal static class AimRun
             : throw new RefusedException("the motion overflows. Reduce the speeds, the coefficients or the distances.");
     }
 
-    /// <summary>Finds it, whatever its numbers are.</summary>
+    /// <summary>Finds the kick without checking the result.</summary>
     /// <param name="scenario">The scenario.</param>
-    /// <param name="aimer">An aimer of its scene.</param>
+    /// <param name="aimer">An aimer for the scene of the scenario.</param>
     public static AimResult Find(AimScenario scenario, ThesisAimer aimer)
     {
         AimRequest request = scenario.Request;
@@ -34,7 +34,7 @@ internal static class AimRun
             : aimer.Find(request, scenario.Method);
     }
 
-    /// <summary>The thread's last aimer where the scene is the same, as it mostly is in a batch.</summary>
+    /// <summary>Returns the thread's last aimer if the scene is the same, as is usual in a batch; otherwise a new one.</summary>
     private static ThesisAimer Compiled(AimScenario scenario)
     {
         if (s_aimer is null || s_compiledFor!.Scene != scenario.Scene || s_compiledFor.Settings != scenario.Settings || s_compiledFor.TimeStep != scenario.TimeStep)

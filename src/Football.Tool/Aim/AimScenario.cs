@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Aim;
 
-/// <summary>One request for a kick: scene, what the kick is to do, by which method, in which steps.</summary>
+/// <summary>A request for a kick: the scene, the goal of the kick, the method, and the steps.</summary>
 internal sealed record AimScenario
 {
     public required Scene Scene { get; init; }
@@ -16,13 +16,13 @@ internal sealed record AimScenario
 
     public required AimRequest Request { get; init; }
 
-    /// <summary>Whether the slowest kick is wanted that gets there; its speed is then the fastest allowed.</summary>
+    /// <summary>True to find the slowest kick that reaches the target; the given speed is then the maximum.</summary>
     public bool Slowest { get; init; }
 
-    /// <summary>When to be there, s; null for whenever.</summary>
+    /// <summary>The time of arrival, in s; null for any.</summary>
     public double? ArrivalTime { get; init; }
 
-    /// <summary>How fast to be there, m/s; null for however.</summary>
+    /// <summary>The speed at arrival, in m/s; null for any.</summary>
     public double? ArrivalSpeed { get; init; }
 
     /// <summary>The colliders to hit before the target, in order; null if there are none.</summary>
@@ -37,7 +37,7 @@ internal sealed record AimScenario
         return scenario;
     }
 
-    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    /// <summary>Reads the members of a scenario from an input that may have others. Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static AimScenario Take(InputObject root)
     {
         Scene scene = SceneInput.Scene(root);
@@ -56,7 +56,7 @@ internal sealed record AimScenario
             Scene = scene,
             Settings = settings,
 
-            // The direct method's steps are its own.
+            // The direct method uses its own step.
             TimeStep = method == AimMethod.Direct ? Scenario.DefaultTimeStep : timeStep,
             Method = method,
             Request = AimInput.Request(aim),

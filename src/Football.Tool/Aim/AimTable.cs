@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Aim;
 
-/// <summary>A kick that was found, as a table for a person.</summary>
+/// <summary>Formats a kick as a table.</summary>
 internal static class AimTable
 {
     public static void Print(AimResult kick, Terminal terminal)

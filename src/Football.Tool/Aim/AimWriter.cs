@@ -4,10 +4,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Aim;
 
-/// <summary>Writes kicks that were found as JSON, one line each.</summary>
+/// <summary>Writes kicks as JSON, one per line.</summary>
 internal static class AimWriter
 {
-    /// <summary>The line of a kick.</summary>
+    /// <summary>Returns the line of a kick.</summary>
     public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
     {
         json.WriteString("name", name);

@@ -7,18 +7,18 @@ using nietras.SeparatedValues;
 
 namespace FootballPhysics.Tool.Cameras;
 
-/// <summary>CSV files of cameras and of pixels, which take the place of the members "cameras" and "track".</summary>
+/// <summary>Reads CSV files of cameras and of pixels, which replace the members "cameras" and "track".</summary>
 internal static class CameraTables
 {
-    /// <summary>The largest number of lines, which bounds the memory.</summary>
+    /// <summary>The maximum number of lines; it limits the memory.</summary>
     private const int MostLines = 1_000_000;
 
     private static readonly string[] s_matrix = [.. from row in Enumerable.Range(1, 3) from column in Enumerable.Range(1, 4) select FormattableString.Invariant($"p{row}{column}")];
 
-    /// <summary>--pixels FILE.csv: the track as pixels.</summary>
+    /// <summary>Creates the option --pixels FILE.csv: the track as pixels.</summary>
     public static Option<FieldOverride[]> Pixels() => Table("--pixels", "PIXELS.csv", "Pixels of the ball instead of \"track\": CSV with the columns time, u, v and, optionally, camera (default 0) and noise (pixels).", "track", ["time", "u", "v"], Pixel);
 
-    /// <summary>--cameras FILE.csv: a matrix a line.</summary>
+    /// <summary>Creates the option --cameras FILE.csv: one matrix per line.</summary>
     public static Option<FieldOverride[]> Cameras() => Table("--cameras", "CAMERAS.csv", "Cameras instead of \"cameras\": CSV with the columns p11, p12, … p34, a matrix per line; the first line is camera 0.", "cameras", s_matrix, Camera);
 
     private static Option<FieldOverride[]> Table(string name, string file, string description, string member, string[] columns, Func<SepReader.Row, IReadOnlyList<string>, JsonObject> item) => new(name)

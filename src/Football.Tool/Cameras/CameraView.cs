@@ -2,20 +2,20 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Cameras;
 
-/// <summary>A camera of the input, and the size of its image in pixels.</summary>
+/// <summary>A camera of the input, and the size of its image, in pixels.</summary>
 internal sealed record CameraView(TrackCamera Camera, double Width, double Height)
 {
     private const string SizeForm = "[width, height]";
 
     private static readonly double[] s_size = [1920, 1080];
 
-    /// <summary>Reads the list "cameras"; the fields are still to be checked.</summary>
+    /// <summary>Reads the list "cameras". Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static CameraView[] Take(InputObject root) => [.. root.Objects("cameras").Select(Of).OfType<CameraView>()];
 
-    /// <summary>Whether a pixel is within the image.</summary>
+    /// <summary>True if a pixel is inside the image.</summary>
     public bool Contains(double u, double v) => u >= 0 && u <= Width && v >= 0 && v <= Height;
 
-    /// <summary>A camera by its matrix, or by its position, target and focal length; null if it is refused.</summary>
+    /// <summary>Creates a camera from its matrix, or from its position, target and focal length; returns null if the library rejects it.</summary>
     private static CameraView? Of(InputObject from)
     {
         double[] size = from.Numbers("size", SizeForm, s_size);

@@ -8,7 +8,7 @@ namespace FootballPhysics.Tool.Commands;
 /// <summary>Creates options and arguments whose errors name the allowed values.</summary>
 internal static class Arguments
 {
-    /// <summary>A whole number.</summary>
+    /// <summary>Creates an option for a whole number.</summary>
     public static Option<long> Whole(string name, string description, long low, long high, long fallback) => new(name)
     {
         HelpName = "N",
@@ -17,7 +17,7 @@ internal static class Arguments
         CustomParser = result => ParseWhole(result, name, low, high) ?? 0,
     };
 
-    /// <summary>A whole number that can be left out.</summary>
+    /// <summary>Creates an optional option for a whole number.</summary>
     public static Option<long?> Whole(string name, string description, long low, long high) => new(name)
     {
         HelpName = "N",
@@ -25,10 +25,10 @@ internal static class Arguments
         CustomParser = result => ParseWhole(result, name, low, high),
     };
 
-    /// <summary>Threads.</summary>
+    /// <summary>Creates the option --jobs, the number of threads; default: the number of processors.</summary>
     public static Option<long> Jobs(string description) => Whole("--jobs", description, 1, 1024, Environment.ProcessorCount);
 
-    /// <summary>A number within a range.</summary>
+    /// <summary>Creates an option for a number in a range.</summary>
     public static Option<double> Number(string name, string description, NumberRange range, double fallback) => new(name)
     {
         HelpName = range.Unit,
@@ -40,7 +40,7 @@ internal static class Arguments
                 : Refuse<double>(result, name, range.ToString()),
     };
 
-    /// <summary>--set path=value, any number of times.</summary>
+    /// <summary>Creates the option --set path=value, which can be repeated.</summary>
     public static Option<FieldOverride[]> Set(string example) => new("--set")
     {
         HelpName = "path=value",
@@ -51,7 +51,7 @@ internal static class Arguments
             [.. result.Tokens.Select((token, i) => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", $"path=value, like {example}", i)!)],
     };
 
-    /// <summary>--profile NAME, short for --set profile=NAME.</summary>
+    /// <summary>Creates the option --profile NAME, short for --set profile=NAME.</summary>
     public static Option<FieldOverride[]> Profile() => new("--profile")
     {
         HelpName = "NAME",
@@ -62,7 +62,7 @@ internal static class Arguments
             : Refuse<FieldOverride[]>(result, "--profile", "measured | published") ?? [],
     };
 
-    /// <summary>--range path=range, any number of times.</summary>
+    /// <summary>Creates the option --range path=range, which can be repeated.</summary>
     public static Option<FieldOverride[]> Range(string example) => new("--range")
     {
         HelpName = "path=range",
@@ -74,7 +74,7 @@ internal static class Arguments
     };
 
     /// <summary>Opens a file for reading; - is standard input.</summary>
-    /// <exception cref="RefusedException">It cannot be read.</exception>
+    /// <exception cref="RefusedException">The file cannot be read.</exception>
     public static Stream OpenInput(string file, Terminal terminal)
     {
         try

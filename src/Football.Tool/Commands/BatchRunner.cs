@@ -5,11 +5,11 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
-/// <typeparam name="T">What becomes of a scenario.</typeparam>
+/// <summary>Reads one scenario or a batch, runs each scenario, and writes the results.</summary>
+/// <typeparam name="T">The result of a scenario.</typeparam>
 /// <param name="work">Reads a scenario and runs it; throws <see cref="RefusedException"/> if it is invalid.</param>
-/// <param name="write">The line for it.</param>
-/// <param name="show">Shows it to a person in a terminal.</param>
+/// <param name="write">Formats the output line of a result.</param>
+/// <param name="show">Prints a result in a terminal.</param>
 internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
 {
     private readonly Argument<string> _file = new("FILE") { Description = "Scenario as JSON; - is standard input." };
@@ -24,12 +24,12 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
     private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 
-    /// <summary>Options of the command that set members of the input from files.</summary>
+    /// <summary>The command's options that set members of the input from files.</summary>
     public IReadOnlyList<Option<FieldOverride[]>> Tables { get; init; } = [];
 
-    /// <summary>Makes it what a command does.</summary>
+    /// <summary>Completes a command: adds the options and the action.</summary>
     /// <param name="command">The command.</param>
-    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="terminal">The input and output.</param>
     /// <param name="instead">An alternative that needs no FILE: its option, and the function that runs it with overrides and the choice of JSON.</param>
     public Command Of(ExampleCommand command, Terminal terminal, (Option<string?> Option, Func<ParseResult, FieldOverride[], bool, int> Run)? instead = null)
     {
@@ -154,13 +154,13 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
         {
             message = refusal.Message;
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, input.Scenario!) is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, input.Scenario!) is { } translated)
         {
-            message = said.Message;
+            message = translated.Message;
         }
         catch (Exception e)
         {
-            // A fault of this program, not of the input: the other lines of a batch must come out all the same.
+            // A bug of this program, not an error in the input: the other lines of the batch must still produce output.
             message = $"internal error, {e.GetType().Name}: {Quote.Short(e.Message)}";
         }
 

@@ -5,7 +5,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football bundle: a match that came with an issue, played again.</summary>
+/// <summary>football bundle: replays a match that was attached to an issue.</summary>
 internal static class BundleCommand
 {
     public static Command Create(Terminal terminal)
@@ -31,7 +31,7 @@ internal static class BundleCommand
         return command;
     }
 
-    /// <summary>Reads as much as a bundle may have, and a byte more, by which it is refused.</summary>
+    /// <summary>Reads at most one byte more than a bundle may have; <see cref="MatchBundle.Read"/> rejects such a file.</summary>
     private static void CopyBounded(Stream input, MemoryStream whole)
     {
         byte[] part = new byte[64 * 1024];
@@ -41,10 +41,10 @@ internal static class BundleCommand
         }
     }
 
-    private static int Report(MatchBundle bundle, long? wanted, Terminal terminal)
+    private static int Report(MatchBundle bundle, long? requested, Terminal terminal)
     {
         Recording segment = bundle.Segment;
-        long tick = wanted ?? segment.EndTick;
+        long tick = requested ?? segment.EndTick;
         if (tick < segment.StartTick || tick > segment.EndTick)
         {
             throw new RefusedException("--tick", tick.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"{segment.StartTick} … {segment.EndTick}"));

@@ -3,9 +3,9 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>A cell of a table: what came from a file is shown as it is, neither marked up nor obeyed by the terminal.</summary>
+/// <summary>Cells of a table. Text from a file is shown literally: it contains no markup, and the terminal executes no control characters.</summary>
 internal static class Cell
 {
-    /// <summary>A cell with a text.</summary>
+    /// <summary>Returns a cell with a text.</summary>
     public static string Of(string text) => Markup.Escape(Quote.Short(text, int.MaxValue - 1));
 }

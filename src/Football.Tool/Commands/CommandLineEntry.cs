@@ -17,8 +17,8 @@ internal static class CommandLineEntry
     private static readonly ParserConfiguration Plain = new() { ResponseFileTokenReplacer = null };
 
     /// <summary>Runs the command. It never throws.</summary>
-    /// <param name="args">Its arguments.</param>
-    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="args">The arguments.</param>
+    /// <param name="terminal">The input and output.</param>
     /// <param name="lab">Creates the command `lab`; null to start the laboratories of the checkout as a process.</param>
     public static int Run(string[] args, Terminal terminal, Func<Terminal, Command>? lab = null)
     {

@@ -2,19 +2,20 @@ using System.Globalization;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>The descriptors that this process was started with.</summary>
+/// <summary>The standard file descriptors that this process inherited.</summary>
 internal static class Descriptor
 {
     private const string Flags = "flags:";
 
-    /// <summary>O_CLOEXEC of Linux.</summary>
+    /// <summary>The flag O_CLOEXEC of Linux.</summary>
     private const long CloseOnExec = 0x80000;
 
-    /// <summary>
-    /// Whether a standard descriptor came from whoever started this process. One that was closed then is taken by the first file that the
-    /// runtime opens for itself, a pipe on which nothing ever comes: to read it is to wait for ever, to write it is to talk to the runtime.
-    /// What the runtime opens is closed on exec; what was inherited cannot be.
-    /// </summary>
+    /// <summary>True if a standard descriptor was inherited from the parent process.</summary>
+    /// <remarks>
+    /// If a descriptor was closed at the start, the first file that the runtime opens takes its number. That file is an internal pipe: reading it
+    /// would block forever, and writing to it would disturb the runtime. Files of the runtime have the flag close-on-exec, which an inherited
+    /// descriptor cannot have. Without /proc, as outside Linux, every descriptor counts as inherited.
+    /// </remarks>
     public static bool IsInherited(int descriptor)
     {
         try
@@ -25,7 +26,7 @@ internal static class Descriptor
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException)
         {
-            // No Linux: its own way decides.
+            // This is not Linux: the console streams handle closed descriptors.
             return true;
         }
     }

@@ -5,7 +5,7 @@ internal static class ExitCode
 {
     public const int Done = 0;
 
-    /// <summary>The input was refused, or a case failed.</summary>
+    /// <summary>The input was rejected, or a case failed.</summary>
     public const int Refused = 1;
 
     /// <summary>Wrong usage.</summary>

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Fit;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football fit: the launch, and numbers of a scene, from where a camera saw a ball.</summary>
+/// <summary>football fit: estimates the launch of a ball, and parameters of the scene, from camera observations.</summary>
 internal static class FitCommand
 {
     private const string Example =

@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Intercept;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football intercept: who gets to the ball in the scenarios of a file.</summary>
+/// <summary>football intercept: computes which player reaches the ball first in each scenario of a file.</summary>
 internal static class InterceptCommand
 {
     private const string Example =

@@ -6,7 +6,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football kick: plays one kick said in numbers, without a file.</summary>
+/// <summary>football kick: simulates one kick given by numbers, without a file.</summary>
 internal static class KickCommand
 {
     private const double Duration = 120;
@@ -58,9 +58,9 @@ internal static class KickCommand
             shot = Scenario.Read(fields);
             flight = new Flight(shot);
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
         {
-            throw said;
+            throw translated;
         }
 
         if (!json)

@@ -17,8 +17,8 @@ internal static class LabCommand
         return command;
     }
 
-    /// <summary>Runs the laboratories with the arguments of this command, its input and its outputs.</summary>
-    /// <returns>Their exit code.</returns>
+    /// <summary>Runs the laboratories with the arguments, the input and the outputs of this command.</summary>
+    /// <returns>The exit code of the laboratories.</returns>
     /// <exception cref="RefusedException">Neither the command nor the current folder is within a checkout.</exception>
     public static int Start(IEnumerable<string> args, Terminal terminal)
     {

@@ -1,4 +1,4 @@
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Nobody reads the output any more: the run ends at once, without a word.</summary>
+/// <summary>Thrown if the reader of the output has closed it. The run then ends without a message.</summary>
 internal sealed class OutputClosedException(Exception inner) : Exception("The output was closed.", inner);

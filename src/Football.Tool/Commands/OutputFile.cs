@@ -4,7 +4,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>A file that is opened before the work that fills it, so that nobody waits for nothing.</summary>
+/// <summary>An output file. It is opened before the computation, so that an error appears at once.</summary>
 internal sealed class OutputFile : IDisposable
 {
     private readonly FileStream _stream;
@@ -19,8 +19,8 @@ internal sealed class OutputFile : IDisposable
 
     /// <summary>Opens the file; null if no path is given.</summary>
     /// <param name="option">The name of the option, for error messages.</param>
-    /// <param name="path">Its name.</param>
-    /// <exception cref="RefusedException">It cannot be written.</exception>
+    /// <param name="path">The path of the file.</param>
+    /// <exception cref="RefusedException">The file cannot be written.</exception>
     public static OutputFile? Open(string option, string? path)
     {
         if (path is null)
@@ -38,10 +38,10 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>Refuses outputs of which two go to one file, or one to a file that is read.</summary>
+    /// <summary>Throws if two outputs are the same file, or an output is also an input.</summary>
     /// <param name="inputs">The paths of the input files; - is standard input.</param>
     /// <param name="outputs">The option and the path of each output; the path is null if not given.</param>
-    /// <exception cref="RefusedException">Two are the same file.</exception>
+    /// <exception cref="RefusedException">Two paths refer to the same file.</exception>
     public static void RefuseSame(IEnumerable<string> inputs, params IReadOnlyList<(string Option, string? Path)> outputs)
     {
         var taken = inputs.Where(path => path != "-").Select(path => (By: "the input", File: FileIdentity.Of(path))).ToList();
@@ -60,10 +60,10 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>Refuses files that would be written over the one that is read.</summary>
+    /// <summary>Throws if an output would overwrite the input.</summary>
     /// <param name="input">The path of the input; - is standard input.</param>
     /// <param name="outputs">The option and the path of each file. One option can write several files in turn.</param>
-    /// <exception cref="RefusedException">One of them is the input.</exception>
+    /// <exception cref="RefusedException">An output is the input.</exception>
     public static void RefuseSameAs(string input, IReadOnlyList<(string Option, string Path)> outputs)
     {
         foreach ((string option, string path) in outputs)
@@ -72,10 +72,10 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>Whether the exception is about the name or the rights of a file.</summary>
+    /// <summary>True if the exception is about the name or the permissions of a file.</summary>
     public static bool IsFileFault(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
 
-    /// <summary>Writes all of it.</summary>
+    /// <summary>Replaces the content of the file.</summary>
     public void Write(ReadOnlySpan<byte> content)
     {
         if (_stream.CanSeek)

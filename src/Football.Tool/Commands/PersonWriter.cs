@@ -3,7 +3,9 @@ using System.Text;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Text for a person. It escapes control characters, which can come from input files, so that the terminal does not execute them.</summary>
+/// <summary>
+/// Writes text to a terminal or a log. It escapes control characters, which can come from input files, so that the terminal does not execute them.
+/// </summary>
 internal sealed class PersonWriter(TextWriter writer) : TextWriter(CultureInfo.InvariantCulture)
 {
     public override Encoding Encoding => writer.Encoding;
@@ -12,7 +14,7 @@ internal sealed class PersonWriter(TextWriter writer) : TextWriter(CultureInfo.I
 
     public override void Write(char value)
     {
-        // Lines and tabs are the text's own.
+        // Line breaks and tabs belong to the text.
         if (char.IsControl(value) && value is not ('\n' or '\t'))
         {
             writer.Write(string.Create(CultureInfo.InvariantCulture, $"\\u{(int)value:x4}"));

@@ -4,7 +4,7 @@ using System.Diagnostics;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football play: the page to play with.</summary>
+/// <summary>football play: writes and opens an interactive page.</summary>
 internal static class PlayCommand
 {
     public static Command Create(Terminal terminal)

@@ -2,18 +2,19 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>A line with the progress, the rate and the remaining time of long work; nothing if the error output is redirected.</summary>
+/// <summary>A line with the progress, the rate and the remaining time of a long computation. It is hidden if the error output is redirected.</summary>
 internal sealed class Progress
 {
     private readonly ProgressTask? _task;
 
     private Progress(ProgressTask? task) => _task = task;
 
-    /// <summary>Works, with the line below; it is gone afterwards.</summary>
-    /// <param name="terminal">Where the line is shown.</param>
-    /// <param name="what">The label of the work.</param>
-    /// <param name="work">Does it.</param>
-    /// <param name="writes">Whether it writes to the output meanwhile: in the same terminal the line would be in the way.</param>
+    /// <summary>Runs a computation and shows its progress in a line, which disappears at the end.</summary>
+    /// <param name="terminal">The terminal that shows the line.</param>
+    /// <param name="what">The label of the line.</param>
+    /// <param name="work">The computation.</param>
+    /// <param name="writes">True if the computation writes to the output. In the same terminal, the line would then disturb the output, so it is
+    /// hidden.</param>
     public static T Show<T>(Terminal terminal, string what, Func<Progress, T> work, bool writes = false) =>
         terminal.ErrorRedirected || (writes && !terminal.OutputRedirected)
             ? work(new Progress(null))
@@ -28,7 +29,7 @@ internal sealed class Progress
                     return work(new Progress(task));
                 });
 
-    /// <summary>Says what is being done now.</summary>
+    /// <summary>Shows the current activity.</summary>
     public void Report(Func<string> what)
     {
         if (_task is not null)
@@ -37,7 +38,7 @@ internal sealed class Progress
         }
     }
 
-    /// <summary>Says how much is done of how much there is.</summary>
+    /// <summary>Shows the completed amount and the total.</summary>
     public void Report(double done, double total, Func<string>? what = null)
     {
         if (_task is null)

@@ -4,7 +4,7 @@ using Spectre.Console.Rendering;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>How much is done a second.</summary>
+/// <summary>A column with the rate, per second.</summary>
 internal sealed class RateColumn : ProgressColumn
 {
     public override IRenderable Render(RenderOptions options, ProgressTask task, TimeSpan deltaTime) => new Text(

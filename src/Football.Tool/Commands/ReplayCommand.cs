@@ -6,7 +6,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football replay: shots as a page that moves, and as a scene for other programs.</summary>
+/// <summary>football replay: writes shots as an animated page, and as a glTF scene for other programs.</summary>
 internal static class ReplayCommand
 {
     private const string Kick = """{"launch": {"position": [0, 0.11, 0], "velocity": [5, 7, -24], "spin": [0, 60, 0]}, "goals": [{"center": [0, 0, -22], "facing": [0, 0, 1]}]}""";
@@ -76,9 +76,9 @@ internal static class ReplayCommand
                 string name = read.Name ?? (file == "-" ? unnamed : Path.GetFileNameWithoutExtension(file));
                 played.Add((name, scenario, ScenarioRun.Play(scenario)));
             }
-            catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+            catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
             {
-                throw said;
+                throw translated;
             }
         }
 

@@ -4,7 +4,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football simulate: plays the scenarios of a file.</summary>
+/// <summary>football simulate: simulates the scenarios of a file.</summary>
 internal static class SimulateCommand
 {
     private const string Launch = """{"launch": {"position": [0, 0.11, 0], "velocity": [8, 7, -24]}}""";

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>A standard output or error stream. If the stream of data is closed, the run ends; a closed stream of hints is ignored.</summary>
-/// <param name="inner">The stream.</param>
-/// <param name="carriesData">Whether what is written must arrive.</param>
+/// <summary>A standard output or error stream. If the data stream is closed, the run ends. If the stream of hints is closed, output to it is ignored.</summary>
+/// <param name="inner">The underlying stream.</param>
+/// <param name="carriesData">True if the stream carries data, so that all of it must arrive.</param>
 internal sealed class StandardStream(Stream inner, bool carriesData) : Stream
 {
     private const int BrokenPipe = 32;
@@ -55,7 +55,7 @@ internal sealed class StandardStream(Stream inner, bool carriesData) : Stream
 
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    /// <summary>A full disk is an error; a closed descriptor or a closed pipe is not.</summary>
+    /// <summary>Handles a failed write: a full disk is an error, a closed descriptor or pipe is not.</summary>
     private void Failed(Exception e)
     {
         bool closed = e is not IOException || e.HResult is BrokenPipe or WindowsBrokenPipe or WindowsNoData;

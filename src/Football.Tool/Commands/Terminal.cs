@@ -4,10 +4,10 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Where the command reads and writes: data to the output; what is meant for a person to where a person sees it.</summary>
+/// <summary>The input and the outputs of a command. Data goes to the output. Tables and hints for people go to the terminal.</summary>
 internal sealed class Terminal
 {
-    /// <summary>Columns of a table that nobody looks at in a terminal: enough to break no line.</summary>
+    /// <summary>The width of a table that is not shown in a terminal, in columns: wide enough that no line breaks.</summary>
     private const int Unlimited = 1000;
 
     public Terminal(Stream input, Stream output, Stream error, bool outputRedirected, bool errorRedirected)
@@ -26,10 +26,10 @@ internal sealed class Terminal
 
     public Stream Input { get; }
 
-    /// <summary>Data.</summary>
+    /// <summary>The output for data.</summary>
     public Stream Output { get; }
 
-    /// <summary>The output, as text.</summary>
+    /// <summary>The output for data, as text.</summary>
     public TextWriter Text { get; }
 
     public TextWriter Error { get; }
@@ -38,16 +38,16 @@ internal sealed class Terminal
 
     public bool ErrorRedirected { get; }
 
-    /// <summary>Tables and hints, as plain text.</summary>
+    /// <summary>The output for tables and hints, as plain text.</summary>
     public TextWriter Person { get; }
 
-    /// <summary>Tables and hints.</summary>
+    /// <summary>The output for tables and hints.</summary>
     public IAnsiConsole PersonConsole { get; }
 
-    /// <summary>Progress.</summary>
+    /// <summary>The output for the progress.</summary>
     public IAnsiConsole ErrorConsole { get; }
 
-    /// <summary>The process' own.</summary>
+    /// <summary>Creates the terminal of this process.</summary>
     public static Terminal OfProcess() => new(
         Descriptor.IsInherited(0) ? Open(System.Console.OpenStandardInput) : Stream.Null,
         Descriptor.IsInherited(1) ? OpenOutput() : Closed(),
@@ -55,10 +55,11 @@ internal sealed class Terminal
         System.Console.IsOutputRedirected,
         System.Console.IsErrorRedirected);
 
-    /// <summary>
-    /// A console stream hides a closed pipe; a file stream reports it. It does not advance the offset that a file shares
-    /// with the programs before and after this one, so it is used only for streams without an offset.
-    /// </summary>
+    /// <summary>Opens the standard output so that a closed pipe is reported: a console stream hides it, a file stream does not.</summary>
+    /// <remarks>
+    /// A file stream does not advance the offset that a file shares with the programs before and after this one. It is therefore used only for
+    /// streams without an offset.
+    /// </remarks>
     private static Stream OpenOutput()
     {
         if (System.Console.IsOutputRedirected && !OperatingSystem.IsWindows())
@@ -73,14 +74,14 @@ internal sealed class Terminal
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
             {
-                // Whatever it is, the console's own way decides.
+                // Use the console stream instead.
             }
         }
 
         return Open(System.Console.OpenStandardOutput);
     }
 
-    /// <summary>An output that nobody can read: the first byte ends the run.</summary>
+    /// <summary>Returns an output without a reader: the first byte ends the run.</summary>
     private static MemoryStream Closed()
     {
         var stream = new MemoryStream();

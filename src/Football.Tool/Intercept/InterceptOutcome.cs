@@ -1,14 +1,14 @@
 namespace FootballPhysics.Tool.Intercept;
 
-/// <summary>Who gets to the ball, and when.</summary>
-/// <param name="Scenario">What was asked.</param>
-/// <param name="Windows">The windows of each runner.</param>
-/// <param name="Shares">Who owns which part of the way.</param>
+/// <summary>The times at which players can reach the ball, and the first player.</summary>
+/// <param name="Scenario">The scenario.</param>
+/// <param name="Windows">The time windows of each runner.</param>
+/// <param name="Shares">The part of the path that each player owns.</param>
 internal sealed record InterceptOutcome(InterceptScenario Scenario, IReadOnlyList<InterceptWindow[]> Windows, IReadOnlyList<PossessionInterval> Shares)
 {
-    /// <summary>Who is first; −1 where nobody is.</summary>
+    /// <summary>The index of the first player; −1 if nobody reaches the ball.</summary>
     public required int First { get; init; }
 
-    /// <summary>By how much, s.</summary>
+    /// <summary>The lead of the first player over the second, in s.</summary>
     public required double Lead { get; init; }
 }

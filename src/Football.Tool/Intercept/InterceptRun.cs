@@ -3,15 +3,15 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Intercept;
 
-/// <summary>Plays a shot and finds who gets to the ball.</summary>
+/// <summary>Simulates a shot, and finds the players who can reach the ball.</summary>
 internal static class InterceptRun
 {
     private const int Pieces = 4096;
     private const int MostPieces = 1 << 22;
 
-    /// <summary>Finds it.</summary>
+    /// <summary>Finds the interceptions.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
-    /// <exception cref="RefusedException">The way has more pieces than there is room for.</exception>
+    /// <exception cref="RefusedException">The path has too many pieces for memory.</exception>
     public static InterceptOutcome Find(InterceptScenario scenario)
     {
         var interception = new Interception();
@@ -23,7 +23,7 @@ internal static class InterceptRun
         };
     }
 
-    /// <summary>The ball's way up to where the scenario stops, in its steps.</summary>
+    /// <summary>Returns the path of the ball until the scenario's stop condition, in the scenario's steps.</summary>
     public static Trajectory Path(Scenario shot)
     {
         var simulator = new Simulator(shot.Scene, shot.Settings);

@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Intercept;
 
-/// <summary>A shot, and those who go for the ball.</summary>
+/// <summary>A shot, and the players who run to the ball.</summary>
 internal sealed record InterceptScenario
 {
     public required Scenario Shot { get; init; }

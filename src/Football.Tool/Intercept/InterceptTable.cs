@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Intercept;
 
-/// <summary>Who gets to the ball, as a table for a person.</summary>
+/// <summary>Formats the interceptions as a table.</summary>
 internal static class InterceptTable
 {
     public static void Print(InterceptOutcome outcome, Terminal terminal)

@@ -3,10 +3,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Intercept;
 
-/// <summary>Writes who gets to the ball as JSON, one line a scenario.</summary>
+/// <summary>Writes the interceptions as JSON, one line per scenario.</summary>
 internal static class InterceptWriter
 {
-    /// <summary>The line of a scenario.</summary>
+    /// <summary>Returns the line of a scenario.</summary>
     public static ReadOnlyMemory<byte> Result(string? name, InterceptOutcome outcome) => ResultWriter.Line(json =>
     {
         json.WriteString("name", name);
@@ -47,7 +47,7 @@ internal static class InterceptWriter
         json.WriteEndArray();
     });
 
-    /// <summary>A lead, s; null where there is no second.</summary>
+    /// <summary>Writes a lead, in s; null if there is no second player.</summary>
     private static void WriteLead(Utf8JsonWriter json, double lead)
     {
         if (double.IsFinite(lead))
