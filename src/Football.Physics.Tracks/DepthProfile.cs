@@ -20,14 +20,14 @@ internal static class DepthProfile
     private const double AsGood = 9;
     private const double Wider = 1.5;
 
-    /// <summary>The standard deviation to which a depth is held, as a share of the distance.</summary>
+    /// <summary>The standard deviation with which a depth is held, as a share of the distance.</summary>
     private const double Held = 0.05;
 
-    /// <summary>The decrease of the cost at which the result is another one.</summary>
+    /// <summary>The decrease of the cost above which the other depth is the better result.</summary>
     private const double Lower = 0.1;
 
     /// <summary>Widens the covariance along the depth if other depths fit as well.</summary>
-    /// <returns>False if another depth fits better; the parameters are then its own.</returns>
+    /// <returns>False if another depth fits better; the parameters are then those of that fit.</returns>
     public static bool Widen(Sightings seen, TrackFitRequest request, TrackModel model, double[] values, double cost, double error, double[] covariance, FitWatch watch)
     {
         if (!(error < Lost))
@@ -49,7 +49,7 @@ internal static class DepthProfile
                     return false;
                 }
 
-                // A rise of r at a distance d: a standard error of d/√r.
+                // If the cost rises by r at a distance d, the standard error is d/√r.
                 double share = 1 / Math.Sqrt(Math.Max(1, rise));
                 if (rise < AsGood && share * distance > most)
                 {

@@ -31,7 +31,7 @@ internal sealed class FitWatch
     }
 
     /// <summary>Reports the progress, and throws if the fit was cancelled.</summary>
-    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The fit was cancelled.</exception>
     public void Check()
     {
         _done += _perCheck * (_end - _done);

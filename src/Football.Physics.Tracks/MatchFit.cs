@@ -17,8 +17,8 @@ public sealed class MatchFit
     private const double Poor = 0.03;
     private const double OtherSpin = 90;
 
-    /// <summary>The minimum duration of a flight that affects the shared parameters, in s.</summary>
-    private const double ShortestTold = 0.3;
+    /// <summary>The minimum duration of a flight from which the shared parameters are estimated, in s.</summary>
+    private const double ShortestUsed = 0.3;
 
     /// <summary>The height above the ground at which a point should belong to a flight, in m.</summary>
     private const double High = 0.5;
@@ -62,26 +62,26 @@ public sealed class MatchFit
         List<FlightPath> flights = finder.Find(watch);
         watch.Start(0.7);
 
-        List<FlightPath> told = Told(runs, flights);
+        List<FlightPath> used = LongFlights(runs, flights);
         var model = new MatchModel(_scene, request);
-        SharedFit fit = Best(equations, model, told, SharedFit.Shares(told), watch);
+        SharedFit fit = Best(equations, model, used, SharedFit.Shares(used), watch);
         watch.Start(0.95);
         finder.JoinBy(fit, flights, watch);
-        told = Told(runs, flights);
-        TryOtherSpins(fit, equations, told, watch);
-        double[] shares = SharedFit.Shares(told);
-        fit.Descend(told, shares, watch);
-        List<FlightPath> brief = flights.FindAll(f => !told.Contains(f));
+        used = LongFlights(runs, flights);
+        TryOtherSpins(fit, equations, used, watch);
+        double[] shares = SharedFit.Shares(used);
+        fit.Descend(used, shares, watch);
+        List<FlightPath> brief = flights.FindAll(f => !used.Contains(f));
         FitShort(fit, equations, brief, watch);
-        fit.MeasureUncertainty(told, shares, watch);
+        fit.MeasureUncertainty(used, shares, watch);
         double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
         equations.Contact = contact;
-        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], watch));
-        fit.Descend(told, shares, watch);
-        fit.MeasureUncertainty(told, shares, watch);
+        new MatchPieces(runs, equations, fit.At, contact).SetPriorSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], watch));
+        fit.Descend(used, shares, watch);
+        fit.MeasureUncertainty(used, shares, watch);
         FitShort(fit, equations, brief, watch);
         watch.Start(1);
-        MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit, contact, heightDeviation);
+        MatchFitResult result = Result(request, runs, equations, finder, flights, used, model, fit, contact, heightDeviation);
         watch.Finish();
         return result;
     }
@@ -94,9 +94,9 @@ public sealed class MatchFit
         Check.Within("track's last time", track[track.Length - 1].Time, track[0].Time, Limits.Time, exclusiveLow: true);
     }
 
-    /// <summary>Returns the flights that are long enough to affect the shared parameters.</summary>
-    private static List<FlightPath> Told(TrackRuns runs, List<FlightPath> flights) =>
-        flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestTold);
+    /// <summary>Returns the flights that are long enough to estimate the shared parameters.</summary>
+    private static List<FlightPath> LongFlights(TrackRuns runs, List<FlightPath> flights) =>
+        flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestUsed);
 
     /// <summary>Fits short flights with the ball and wind from the other flights.</summary>
     private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, FitWatch watch)
@@ -120,7 +120,7 @@ public sealed class MatchFit
 
     /// <summary>Assembles the result: pieces, shared parameters, surface and statistics.</summary>
     private MatchFitResult Result(
-        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit,
+        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> used, MatchModel model, SharedFit fit,
         double contact, double heightDeviation)
     {
         List<string> names = [.. model.Names];
@@ -164,7 +164,7 @@ public sealed class MatchFit
 
         double squares = 0;
         int points = 0;
-        foreach (FlightPath flight in told)
+        foreach (FlightPath flight in used)
         {
             squares += flight.Count * flight.Rms * flight.Rms;
             points += flight.Count;
@@ -174,8 +174,8 @@ public sealed class MatchFit
         return new MatchFitResult(pieces, names, [.. values], [.. deviations], _scene with { Air = at.Air, Ball = at.Ball, Forces = at.Forces, Ground = ground })
         {
             Rms = points > 0 ? Math.Sqrt(squares / points) : 0,
-            Flights = told.Count,
-            Covered = Covered(runs.Points, told, contact - radius),
+            Flights = used.Count,
+            Covered = Covered(runs.Points, used, contact - radius),
             Noise = runs.Noise,
             Impacts = impacts,
             Windows = windows,
@@ -184,7 +184,7 @@ public sealed class MatchFit
         };
     }
 
-    private static double Covered(TrackPoint[] track, List<FlightPath> told, double ground)
+    private static double Covered(TrackPoint[] track, List<FlightPath> used, double ground)
     {
         // The flights are in order of time and do not overlap.
         int high = 0;
@@ -192,7 +192,7 @@ public sealed class MatchFit
         int flight = 0;
         for (int i = 0; i < track.Length; i++)
         {
-            while (flight < told.Count && told[flight].End <= i)
+            while (flight < used.Count && used[flight].End <= i)
             {
                 flight++;
             }
@@ -200,7 +200,7 @@ public sealed class MatchFit
             if (track[i].Position.Y > ground + High)
             {
                 high++;
-                covered += flight < told.Count && told[flight].First <= i ? 1 : 0;
+                covered += flight < used.Count && used[flight].First <= i ? 1 : 0;
             }
         }
 

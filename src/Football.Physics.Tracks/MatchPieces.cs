@@ -132,7 +132,7 @@ internal sealed class MatchPieces
     /// <param name="flights">The flights, in order of time.</param>
     /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
     /// <param name="fit">Fits a flight again after its prior changed; the next flight uses the result.</param>
-    public void TellSpins(List<FlightPath> flights, double spinDeviation, Action<FlightPath> fit)
+    public void SetPriorSpins(List<FlightPath> flights, double spinDeviation, Action<FlightPath> fit)
     {
         BallProperties ball = _at.Scene.Ball;
         double lever = 1.0 / (ball.InertiaFactor * ball.Radius);
@@ -385,7 +385,7 @@ internal sealed class MatchPieces
 
         if (a is not null)
         {
-            // Onto the ground, or into someone's hands.
+            // The flight ends on the ground or at a touch, such as a catch.
             double fall = Math.Max(0, after.StartTime - before.EndTime);
             Vector3d speed = a.Last.Velocity + (0.5 * fall * new Vector3d(0, _upward, 0));
             var to = new Vector3d(after.Velocity.X, Math.Max(0, after.Velocity.Y), after.Velocity.Z);

@@ -1,10 +1,7 @@
 namespace FootballPhysics.Tracks;
 
 /// <summary>The starts of searches for a flight that is seen from one viewpoint.</summary>
-/// <remarks>
-/// Few of the minima are near the truth. A ball at a wrong depth with a strong spin may fit the beginning, and a path that bounces at other times has a minimum of
-/// its own. From one viewpoint, another curl may also fit as well, towards the camera and not away from it.
-/// </remarks>
+/// <remarks>Few of the minima are near the truth. A ball at a wrong depth with a strong spin can fit the first points. A path with bounces at other times has its own minimum. From one viewpoint, a curl towards the camera can also fit as well as one away from it.</remarks>
 internal static class OneViewStarts
 {
     /// <summary>The number of starts with other spins, and half the edge of a cube of spins, in rad/s.</summary>
@@ -15,7 +12,7 @@ internal static class OneViewStarts
     private static readonly double[] s_spans = [0.4, 0.8, 1.6, double.PositiveInfinity];
     private const int Fewest = 10;
 
-    /// <summary>The standard deviation of the height of the launch above the ground meanwhile, in m.</summary>
+    /// <summary>The standard deviation of the launch height above the ground in the search from the first points, in m.</summary>
     private const double Reach = 1;
 
     /// <summary>Returns the starts, given the result of the first search.</summary>
@@ -40,7 +37,7 @@ internal static class OneViewStarts
         }
     }
 
-    /// <summary>Fits the first points, with the launch near the ground, and then more and more of them.</summary>
+    /// <summary>Fits the first points with a launch near the ground, and then increasingly more points.</summary>
     private static double[]? Grown(Sightings seen, TrackFitRequest launch, Scene scene, FitWatch watch)
     {
         var model = new TrackModel(scene, launch);

@@ -26,7 +26,7 @@ internal static class PathDepth
 
             for (int i = 0; i < squares.Length; i++)
             {
-                // An end in the ground is raised: take the other one.
+                // An end below the ground is raised to the ground, so use the farther of both ends.
                 double off = Math.Max(Math.Abs(high[i] - middle[i]), Math.Abs(low[i] - middle[i]));
                 squares[i] += off * off;
             }

@@ -5,13 +5,13 @@ namespace FootballPhysics.Tracks;
 /// <summary>Observed pixels, by one or more cameras.</summary>
 internal sealed class PixelSightings : Sightings
 {
-    /// <summary>The smallest depth of a trial of a search, in m.</summary>
+    /// <summary>The minimum depth of a position that a search tries, in m.</summary>
     private const double LeastDepth = 0.1;
 
-    /// <summary>The largest pixel, by its size: a thousand images wide.</summary>
+    /// <summary>The maximum absolute value of a pixel coordinate: about a thousand images.</summary>
     private const double MostPixel = 1e7;
 
-    /// <summary>The distance up to which cameras have one viewpoint, in m.</summary>
+    /// <summary>The maximum distance between cameras with the same viewpoint, in m.</summary>
     private const double OneView = 1;
 
     private readonly TrackCamera[] _cameras;

@@ -5,8 +5,8 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Finds an initial launch from pixels.</summary>
 /// <remarks>
-/// Along p(t) = p₀ + v t + d(t) each pixel gives two linear equations of p₀ and v (direct linear transform). The deflection d is first that of gravity, which gives
-/// the depth even with one camera; then that of the simulated ball, with drag, spin and bounces.
+/// Along p(t) = p₀ + v t + d(t), each pixel gives two linear equations for p₀ and v (direct linear transform). The deflection d is initially that of
+/// gravity, which reveals the depth even with one camera. Later it is that of the simulated ball, with drag, spin and bounces.
 /// </remarks>
 internal sealed class PixelStart
 {
@@ -25,7 +25,7 @@ internal sealed class PixelStart
     private const double Ground = 0.01;
     private const double Tried = 0.1;
 
-    /// <summary>The standard deviation of the speed along an axis, in m/s, if nothing else gives a start.</summary>
+    /// <summary>The standard deviation of the speed along an axis, in m/s; used if nothing else gives a start.</summary>
     private const double Speed = 20;
 
     private readonly TrackCamera[] _cameras;
@@ -51,10 +51,11 @@ internal sealed class PixelStart
         _weights = new double[points.Length];
     }
 
-    /// <summary>Returns the launch with the lowest cost of those that are tried; null if the ball would be behind a camera in all of them.</summary>
+    /// <summary>Returns the launch with the lowest cost of those tried; null if the ball is behind a camera in all of them.</summary>
     public double[]? Find(Sightings seen, in Vector3d spin, out double least)
     {
-        // 1. Spans of points, freely and from the ground. 2. Assumed depths, for tracks too short to contain one. 3. The lowest cost wins.
+        // 1. Solve for spans of points, with a free launch and with one on the ground. 2. Try assumed depths, for tracks that are too short to reveal
+        // the depth. 3. Keep the lowest cost.
         var paths = new TrackPaths(seen, _request, _model);
         double[] misses = new double[seen.Rows];
         double[]? best = null;
@@ -105,7 +106,7 @@ internal sealed class PixelStart
             Try(s_spans[1], first.Forward, depth - from, Tried, in spin);
         }
 
-        // A ball that hardly moves in the image may come or go at any speed, and so be behind the camera soon.
+        // A ball that hardly moves in the image can approach or recede at any speed. Limit the speed, so that the ball is not soon behind the camera.
         foreach (double depth in best is null ? s_depths : [])
         {
             Try(s_spans[1], first.Forward, depth - from, Tried, in spin, Speed, depth);
@@ -115,7 +116,7 @@ internal sealed class PixelStart
         return best;
     }
 
-    /// <summary>Returns which cameras the ball is behind if gravity alone bends its path, and its depth there at first.</summary>
+    /// <summary>Returns for each camera whether the ball is behind it if only gravity acts, and computes the first negative depth.</summary>
     public bool[] Behind(out double depth)
     {
         depth = 0;
@@ -146,7 +147,7 @@ internal sealed class PixelStart
         return count;
     }
 
-    /// <summary>The deflections of gravity alone, and equal weights of a depth.</summary>
+    /// <summary>Resets the deflections to those of gravity, and all weights to that of one depth.</summary>
     private void StartOver(double depth = 1)
     {
         for (int i = 0; i < _points.Length; i++)
@@ -192,7 +193,7 @@ internal sealed class PixelStart
         }
     }
 
-    /// <summary>Weighs each equation by 1/depth, so that its residual is in pixels.</summary>
+    /// <summary>Sets the weight of each equation to 1/depth, so that its residual is in pixels.</summary>
     /// <returns>False if the ball is behind a camera.</returns>
     private bool Weigh(int count)
     {
@@ -217,7 +218,7 @@ internal sealed class PixelStart
         return _cameras[_points[i].Camera].Depth(position + _deflections[i]);
     }
 
-    /// <summary>The deflections of a simulated ball, d = p − p₀ − v t.</summary>
+    /// <summary>Computes the deflections of a simulated ball, d = p − p₀ − v t.</summary>
     private void Deflect(double[] values)
     {
         Simulator simulator = _model.Simulator(values);

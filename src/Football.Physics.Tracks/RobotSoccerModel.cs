@@ -15,7 +15,7 @@ public sealed record RobotSoccerModel
     private const double Step = 1.0 / 60;
     private const double Longest = 60;
 
-    /// <summary>Hops count while they rise higher than this, in m: TIGERs' smallest hop.</summary>
+    /// <summary>The minimum height of a hop that counts, in m: that of TIGERs.</summary>
     private const double LeastHop = 0.01;
 
     private RobotSoccerModel()
@@ -128,7 +128,7 @@ public sealed record RobotSoccerModel
 
     private static double Along(BallEvent hop) => hop.Velocity.Horizontal.Length / hop.VelocityBefore.Horizontal.Length;
 
-    /// <summary>Returns the geometric mean: so many hops of it keep as much as the hops themselves. 1 without hops.</summary>
+    /// <summary>Returns the geometric mean of the fraction that a hop keeps; 1 without hops.</summary>
     private static double MeanOf(IEnumerable<BallEvent> hops, Func<BallEvent, double> kept)
     {
         double product = 1;

@@ -153,12 +153,12 @@ internal sealed class SharedFit
     {
         var normals = new double[flights.Count][];
         var gradients = new double[flights.Count][];
-        double[] told = new double[flights.Count];
+        double[] reduced = new double[flights.Count];
         for (int i = 0; i < flights.Count; i++)
         {
             normals[i] = new double[_size * _size];
             gradients[i] = new double[_size];
-            told[i] = shares[i] / Inflation(flights[i]);
+            reduced[i] = shares[i] / Inflation(flights[i]);
         }
 
         Evaluate(flights, shares, normals, gradients, watch);
@@ -172,7 +172,7 @@ internal sealed class SharedFit
             Invert(normals[i], flights[i].Covariance);
             off[i] = Times(flights[i].Covariance, flights[i].LowHeights);
             couplings[i] = Couple(normals[i], flights[i].Covariance);
-            Eliminate(normals[i], gradients[i], couplings[i], told[i], s, unused);
+            Eliminate(normals[i], gradients[i], couplings[i], reduced[i], s, unused);
         }
 
         Linear.Invert(s, Covariance, _shared);
@@ -181,7 +181,7 @@ internal sealed class SharedFit
             // Sum of three terms: A⁻¹ (w(A − P) + P) A⁻¹ by the scatter w without the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared parameters; and d dᵀ with
             // d = A⁻¹JᵀWb by the common height error b near the ground.
             double[] covariance = flights[f].Covariance;
-            double scatter = shares[f] / told[f];
+            double scatter = shares[f] / reduced[f];
             Vector3d known = _system.PerSpin(flights[f]);
             for (int i = 0; i < Launch; i++)
             {
@@ -384,8 +384,8 @@ internal sealed class SharedFit
         double likeness = squares > 0 ? Math.Min(0.95, Math.Max(0, products / squares)) : 0;
         double correlation = (1 + likeness) / (1 - likeness);
         double variance = squares / freedom * correlation;
-        double said = _system.Deviation(in _system.Point(flight.First));
-        return Math.Max(LawShare, variance / (said * said));
+        double assumed = _system.Deviation(in _system.Point(flight.First));
+        return Math.Max(LawShare, variance / (assumed * assumed));
     }
 
     private static double[] Times(double[] matrix, double[] vector)

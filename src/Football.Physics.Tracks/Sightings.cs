@@ -31,7 +31,7 @@ internal abstract class Sightings
     /// <summary>Returns the first observations.</summary>
     public virtual Sightings First(int count) => throw new NotSupportedException();
 
-    /// <summary>Returns the same pixels with the cameras turned round that the ball seems to be behind; null if there is no such camera.</summary>
+    /// <summary>Returns the same pixels with those cameras reversed that seem to have the ball behind them; null if there is no such camera.</summary>
     public virtual Sightings? Opposite(TrackFitRequest request, Scene scene) => null;
 
     /// <summary>Returns the exception for observations that no ball in front of the cameras explains.</summary>

@@ -12,10 +12,10 @@ public sealed class TrackCamera
     /// <summary>The number of elements of a matrix.</summary>
     private const int Size = 12;
 
-    /// <summary>The smallest volume of the three rows, as a share of the product of their lengths: of a rank of 3 to within rounding.</summary>
+    /// <summary>The minimum volume of the three rows, as a share of the product of their lengths. Below it, the rank is less than 3 within rounding.</summary>
     private const double LeastVolume = 1e-9;
 
-    /// <summary>The depth below which a position counts as beside the camera, in m.</summary>
+    /// <summary>The depth below which a position is not in front of the camera, in m.</summary>
     private const double LeastDepth = 1e-3;
 
     private readonly double[] _matrix;
@@ -28,7 +28,7 @@ public sealed class TrackCamera
     /// </exception>
     public TrackCamera(IReadOnlyList<double> matrix)
     {
-        // 1. Check. 2. Scale, so that the third row is the depth in metres. 3. The centre is where the matrix is 0.
+        // 1. Check the matrix. 2. Scale it, so that the third row gives the depth in metres. 3. Solve for the centre, where the matrix gives 0.
         Check.Given(nameof(matrix), matrix);
         if (matrix.Count != Size)
         {
@@ -143,7 +143,7 @@ public sealed class TrackCamera
     /// <summary>Returns the distance of a position from the camera along the optical axis, in m.</summary>
     internal double Depth(in Vector3d position) => Along(2, in position);
 
-    /// <summary>Computes the pixel also of a position that is not in front, as if it were just in front: a trial of a search.</summary>
+    /// <summary>Computes a pixel even if the position is not in front of the camera, as if it were just in front. Searches try such positions.</summary>
     internal void Project(in Vector3d position, double leastDepth, out double u, out double v)
     {
         double depth = Math.Max(leastDepth, Depth(in position));

@@ -31,10 +31,13 @@ public sealed class TrackFit
     /// <summary>From one viewpoint, the scale of the prior of the launch's height, in m: balls are played by feet, heads and hands.</summary>
     private const double Reach = 1;
 
-    /// <summary>The ratio of χ² below which cameras look the other way: few pixels with noise may fit a little better there.</summary>
+    /// <summary>
+    /// The ratio of χ² below which a fit with reversed cameras is the better one. The ratio is low, because a few noisy pixels can fit a little
+    /// better there.
+    /// </summary>
     private const double FarBetter = 0.1;
 
-    /// <summary>The number of times that another depth may turn out to be the better one.</summary>
+    /// <summary>The maximum number of times that another depth replaces the result.</summary>
     private const int MostDepths = 4;
 
     private readonly Scene _scene;
@@ -142,11 +145,11 @@ public sealed class TrackFit
     }
 
     /// <summary>Measures the uncertainty of the depth.</summary>
-    /// <returns>False if another depth fits better; the parameters are then its own.</returns>
+    /// <returns>False if another depth fits better; the parameters are then those of that fit.</returns>
     private static bool IsDepthMeasured(Sightings seen, TrackFitRequest request, TrackSearch best, double[] values, FitWatch watch) =>
         DepthProfile.Widen(seen, request, best.Model, values, best.Cost, TrackFitResult.ErrorAlong(best.Covariance, values.Length, 0, seen.FirstCamera!.Forward), best.Covariance, watch);
 
-    /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
+    /// <summary>Throws if the fit is poor but becomes good with reversed cameras.</summary>
     private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result, FitWatch watch)
     {
         if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite || opposite.Start(request, request.Spin, _scene, out _) is null)
@@ -162,7 +165,7 @@ public sealed class TrackFit
         }
     }
 
-    /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
+    /// <summary>Searches from the start given by the first points, and from other spins if the fit is poor or the ball bounces.</summary>
     /// <returns>The best fit with its parameters and, if others were tried, the second best with its own.</returns>
     private TrackSearch Search(Sightings seen, TrackFitRequest request, FitWatch watch, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
     {

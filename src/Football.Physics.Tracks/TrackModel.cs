@@ -96,10 +96,12 @@ internal sealed class TrackModel
         return cost;
     }
 
-    /// <summary>True if the height has no normal prior, but that of a Cauchy distribution.</summary>
+    /// <summary>True if the prior of the height is a Cauchy distribution, not a normal one.</summary>
     private bool HasCauchy => double.IsInfinity(KnownDeviation(Height)) && !double.IsInfinity(_request.HeightScale);
 
-    /// <summary>Returns −2 log of a Cauchy distribution, 2 log(1 + h²/s²): a launch high up is unlikely, but a little higher hardly less likely.</summary>
+    /// <summary>
+    /// Returns −2 log of a Cauchy distribution, 2 log(1 + h²/s²). A high launch is unlikely, but a slightly higher one is hardly less likely.
+    /// </summary>
     private double HeightCost(double off) =>
         2 * Elementary.Log(1 + (off * off / (_request.HeightScale * _request.HeightScale)));
 
@@ -161,9 +163,9 @@ internal sealed class TrackModel
         number == Height ? _contactHeight : number < FirstSpin ? 0
         : number == FirstSpin ? _request.Spin.X : number == FirstSpin + 1 ? _request.Spin.Y : number == FirstSpin + 2 ? _request.Spin.Z : 1;
 
-    private static void Add(List<string> names, string name, bool wanted)
+    private static void Add(List<string> names, string name, bool isEstimated)
     {
-        if (wanted)
+        if (isEstimated)
         {
             names.Add(name);
         }

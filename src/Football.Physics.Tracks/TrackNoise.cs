@@ -2,12 +2,13 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates the noise of a track from third divided differences, which are small for a smooth path at any spacing.</summary>
 /// <remarks>
-/// If four points follow each other in a short time, few differences span an impact or a kick, and the median of all differences is enough. If points are
-/// missing, or come slowly, many do. Such a difference is large along at least one axis, and is then left out along all axes.
+/// If the track has four successive points within a short time, few differences span an impact or a kick. The median of all differences is then
+/// sufficient. If points are missing or far apart in time, many differences do. Such a difference is large along at least one axis, and is then
+/// omitted along all axes.
 /// </remarks>
 internal static class TrackNoise
 {
-    /// <summary>The share of the differences that count: those over the shortest times, in which a path bends least.</summary>
+    /// <summary>The share of the differences that is used: those over the shortest times, in which a path bends least.</summary>
     private const double ShortestShare = 0.5;
 
     /// <summary>The median of |x| relative to the standard deviation.</summary>
@@ -16,26 +17,29 @@ internal static class TrackNoise
     /// <summary>Points are missing if half of the differences span more than this multiple of the shortest time.</summary>
     private const double UnequalSpans = 1.2;
 
-    /// <summary>Points come slowly if half of the differences span more than the first time, in s.</summary>
+    /// <summary>Points are far apart in time if half of the differences span more than the first time, in s.</summary>
     /// <remarks>Above the second time, most differences span an impact: only those of a ball at rest would be left.</remarks>
     private const double SlowSpan = 0.18;
     private const double LongestSpan = 0.27;
 
-    /// <summary>The share of the differences that count if large ones are left out.</summary>
+    /// <summary>The share of the differences that is used if large ones are omitted.</summary>
     private const double TrimmedShare = 0.7;
 
-    /// <summary>Differences above this many standard deviations are left out, in several rounds; and the median of |x| below it.</summary>
+    /// <summary>The number of standard deviations above which differences are omitted, in several rounds; and the median of |x| below it.</summary>
     private const double MostDeviations = 3;
     private const double MedianBelow = 0.67237;
     private const int Rounds = 6;
 
-    /// <summary>The last estimate is a root mean square, which scatters less than a median. It uses differences below this many standard deviations.</summary>
+    /// <summary>
+    /// The number of standard deviations below which differences are used in the last round. This round computes a root mean square, which scatters
+    /// less than a median.
+    /// </summary>
     private const double LastDeviations = 2.5;
 
-    /// <summary>The variance of a normal variable that is cut at <see cref="LastDeviations"/>, c: 1 − 2 c φ(c)/(2 Φ(c) − 1).</summary>
+    /// <summary>The variance of a standard normal variable that is truncated at c = <see cref="LastDeviations"/>: 1 − 2 c φ(c)/(2 Φ(c) − 1).</summary>
     private const double VarianceBelow = 0.91126;
 
-    /// <summary>With fewer differences than this, the estimate of the round before stands.</summary>
+    /// <summary>The minimum number of differences for a round; with fewer, the estimate of the round before is the result.</summary>
     private const int Least = 8;
 
     /// <summary>Returns the standard deviation of a coordinate, in m: the root mean square over the three axes.</summary>
@@ -61,7 +65,7 @@ internal static class TrackNoise
         return Math.Sqrt(((deviations[0] * deviations[0]) + (deviations[1] * deviations[1]) + (deviations[2] * deviations[2])) / 3);
     }
 
-    /// <summary>Estimates the deviations again, without large differences.</summary>
+    /// <summary>Estimates the standard deviations again, without large differences.</summary>
     private static void Trim(Vector3d[] differences, double[] deviations)
     {
         for (int round = 0; round < Rounds; round++)
@@ -82,7 +86,7 @@ internal static class TrackNoise
         }
     }
 
-    /// <summary>The times that four successive points span, with the last of them, from the shortest.</summary>
+    /// <summary>Returns the times that four successive points span, each with the last of the points, from the shortest.</summary>
     private static List<(double Span, int Last)> Windows(TrackPoint[] track, double longest)
     {
         List<(double Span, int Last)> windows = [];
@@ -99,17 +103,18 @@ internal static class TrackNoise
         return windows;
     }
 
-    /// <summary>The third differences over the shortest times.</summary>
+    /// <summary>Returns the third differences over the shortest times.</summary>
     private static Vector3d[] Differences(TrackPoint[] track, List<(double Span, int Last)> windows, double share)
     {
         double most = windows[(int)(share * (windows.Count - 1))].Span * (1 + 1e-6);
         return [.. windows.Where(window => window.Span <= most).Select(window => ThirdDifference(track, window.Last))];
     }
 
-    /// <summary>The third divided difference of four points up to one, in deviations of a point: Σ cᵢ pᵢ / √Σ cᵢ², cᵢ = 1/Π (tᵢ − tⱼ).</summary>
+    /// <summary>Returns the third divided difference of the four points up to one, in standard deviations of a point.</summary>
+    /// <remarks>The difference is Σ cᵢ pᵢ / √Σ cᵢ², with cᵢ = 1/Π (tᵢ − tⱼ).</remarks>
     private static Vector3d ThirdDifference(TrackPoint[] track, int last)
     {
-        // In units of the four points' time, so that no power of it is lost.
+        // Scale the times by the span of the four points, so that no power underflows.
         int first = last - 3;
         double unit = track[last].Time - track[first].Time;
         Vector3d sum = Vector3d.Zero;

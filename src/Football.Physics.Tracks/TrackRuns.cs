@@ -1,13 +1,13 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A track made ready: without points that jump out and back, divided where it has gaps, and with its noise.</summary>
+/// <summary>A prepared track: without spikes, divided at gaps, and with its noise.</summary>
 internal sealed class TrackRuns
 {
-    /// <summary>A wait of so many usual ones, and of so many seconds, is a gap.</summary>
+    /// <summary>The minimum wait that is a gap: as a multiple of the mean wait, and in s.</summary>
     private const double GapShare = 3.5;
     private const double LeastGap = 0.1;
 
-    /// <summary>If the mean wait exceeds this multiple of the median wait, single points are missing, and longer waits are not gaps.</summary>
+    /// <summary>The ratio of mean to median wait above which single points are missing, and the multiple of the mean wait that is then a gap.</summary>
     private const double Scattered = 1.3;
     private const double ScatteredGap = 6;
 
@@ -73,7 +73,7 @@ internal sealed class TrackRuns
         return [.. kept];
     }
 
-    /// <summary>The median of the waits, and their mean without long ones: larger where points are missing.</summary>
+    /// <summary>Returns the median wait, and computes the mean wait without long ones. The mean is larger if points are missing.</summary>
     private static double UsualWait(TrackPoint[] track, out double mean)
     {
         double[] waits = new double[track.Length - 1];

@@ -9,7 +9,7 @@ internal sealed class TrackSearch
     private const double LeastDamping = 1e-2;
     private const double LessDamping = 0.1;
 
-    /// <summary>The same from one viewpoint, whose costs have long curved valleys.</summary>
+    /// <summary>The damping for one viewpoint, where costs have long curved valleys.</summary>
     private const double FirstValleyDamping = 1e-3;
     private const double LeastValleyDamping = 2e-3;
     private const double LessValleyDamping = 0.2;
@@ -22,8 +22,7 @@ internal sealed class TrackSearch
     private const int MostSearches = 8;
     private const int MostValleySearches = 40;
 
-    /// <summary>The maximum number of tries to find a rise by one, the range of rises that is accepted, and the maximum factor between
-    /// tries.</summary>
+    /// <summary>The maximum number of tries to find a rise by one, the accepted range of rises, and the maximum factor between tries.</summary>
     private const int MostTries = 4;
     private const double LeastRise = 0.6;
     private const double LargestRise = 1.6;
@@ -35,8 +34,7 @@ internal sealed class TrackSearch
     private const int MostShortenings = 3;
     private const double Shorter = 0.4;
 
-    /// <summary>The first parameter whose axis is measured, and the first whose pairs are: positions are nearly linear, velocities nearly
-    /// so.</summary>
+    /// <summary>The first parameter whose axis is measured, and the first whose pairs of axes are: positions are nearly linear, velocities almost.</summary>
     private const int FirstMeasured = 3;
     private const int FirstPaired = TrackModel.FirstSpin;
 
@@ -242,7 +240,7 @@ internal sealed class TrackSearch
             return true;
         }
 
-        // The cost rises steeply right beside the minimum: keep the axis, whose deviation holds for a smooth cost.
+        // The cost rises steeply next to the minimum. Keep the axis, whose deviation is that of a smooth cost.
         share = Math.Sign(share);
         for (int k = 0; k < _count; k++)
         {

@@ -63,7 +63,7 @@ internal sealed class TrackSecants
     }
 
     /// <summary>The vectors lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: parameter j moved by its deviation.</summary>
-    /// <remarks>Later parameters are held, and earlier ones follow. The scene's factors come last, as the softest.</remarks>
+    /// <remarks>Later parameters are held, and earlier ones follow. The scene's factors come last, because they are the least certain.</remarks>
     public double[][] Axes { get; }
 
     /// <summary>Evaluates J and N with the axes of the last N, and then updates the axes.</summary>

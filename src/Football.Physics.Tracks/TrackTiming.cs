@@ -1,23 +1,23 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Restores times that were rounded: 29.97 frames a second written to 10 ms are up to 5 ms off, by which a ball at 20 m/s moves 10 cm.</summary>
+/// <summary>Restores rounded times: 29.97 frames per second, rounded to 10 ms, are wrong by up to 5 ms. In this time, a ball at 20 m/s moves 10 cm.</summary>
 internal static class TrackTiming
 {
-    /// <summary>Units to which times are rounded, s; finer ones move no ball by more than its noise.</summary>
+    /// <summary>The units to which times may be rounded, in s. Finer rounding moves a ball by less than its noise.</summary>
     private static readonly double[] s_units = [0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 
-    /// <summary>A unit is at most this share of a wait, and times are whole numbers of it to within this share of it.</summary>
+    /// <summary>The maximum unit as a share of the shortest wait, and the tolerance of whole multiples, in units.</summary>
     private const double MostShare = 0.6;
     private const double Whole = 1e-4;
 
-    /// <summary>Times are off equal steps by half a unit at most, and a little.</summary>
+    /// <summary>The maximum deviation of times from equal steps, in units: half a unit plus a tolerance.</summary>
     private const double MostOff = 0.52;
 
-    /// <summary>Waits from this many steps on begin a part of its own; shorter parts stay as they are.</summary>
+    /// <summary>The number of steps from which a wait separates two parts, and the minimum number of points of a part that is restored.</summary>
     private const int LongWait = 40;
     private const int LeastPoints = 12;
 
-    /// <summary>The track with the times of equal steps that round to its own; the track itself if there are none.</summary>
+    /// <summary>Returns the track with equal steps that round to its times; the track itself if there are none.</summary>
     public static TrackPoint[] Unrounded(TrackPoint[] track)
     {
         double unit = Unit(track);
@@ -43,7 +43,7 @@ internal static class TrackTiming
         return isRestored ? restored : track;
     }
 
-    /// <summary>The largest unit that all times are whole numbers of, if single steps differ by it; else 0.</summary>
+    /// <summary>Returns the largest unit of which all times are whole multiples, if waits differ by one unit; otherwise 0.</summary>
     private static double Unit(TrackPoint[] track)
     {
         double wait = double.PositiveInfinity;
@@ -72,7 +72,7 @@ internal static class TrackTiming
         return 0;
     }
 
-    /// <summary>The mean of the waits that are the least or a unit more.</summary>
+    /// <summary>Returns the mean of the waits that equal the shortest wait or exceed it by one unit.</summary>
     private static double Step(TrackPoint[] track, double unit)
     {
         double least = double.PositiveInfinity;
@@ -96,10 +96,10 @@ internal static class TrackTiming
         return sum / count;
     }
 
-    /// <summary>Replaces the times of a part, if equal steps round to all of them.</summary>
+    /// <summary>Replaces the times of a part if equal steps round to all of them.</summary>
     private static bool Restore(TrackPoint[] track, TrackPoint[] restored, int from, int to, double step, double unit)
     {
-        // The number of each point's step by what the points before it tell, then start and step by least squares through all up to it.
+        // Predict the step number of each point from the points before it. Then fit start and step to all points up to it by least squares.
         double first = track[from].Time;
         double start = 0;
         double n = 0;
@@ -140,7 +140,7 @@ internal static class TrackTiming
             return false;
         }
 
-        // Times that were cut off, not rounded, are all late or early by as much: the middle is as good as any.
+        // Truncated times all have the same offset. The offset does not matter, so use the middle.
         double middle = 0.5 * (low + high);
         for (int i = from; i < to; i++)
         {
