@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Goals;
 
-/// <summary>A random shot at a goal, or past it, from anywhere within 25 m: in flight, bouncing or along the ground, at the frame, and off who stands before it.</summary>
+/// <summary>A random shot at a goal, or past it, from within 25 m: in flight, bouncing or along the ground, at the frame, and off a keeper.</summary>
 internal sealed class GoalShot
 {
     private const double Farthest = 25;
@@ -23,7 +23,7 @@ internal sealed class GoalShot
         };
         Vector3d Place(double aside, double height, double before) => Goal.Center + (aside * right) + new Vector3d(0, height, 0) + (before * facing);
 
-        // Who stands in the way, near the line: half of the time.
+        // Half of the shots have a keeper near the line.
         double stands = random.Uniform(-0.5, 0.5) * Goal.Width;
         double ahead = random.Uniform(0, 1.5);
         Obstacle[] people = random.Chance(0.5) ? [] :
@@ -35,7 +35,7 @@ internal sealed class GoalShot
             scene with { Goals = [Goal], Obstacles = people }, new SolverSettings { Integrator = random.Chance(0.5) ? Integrator.Rk2 : Integrator.Rk4 });
         TimeStep = random.Any(1.0 / 60, 0.01, 1.0 / 30, 0.04);
 
-        // From where: before the line, or level with it outside the posts. Where to: the opening, the frame, or past it, at any height.
+        // The start is before the line, or level with it outside the posts. The target is the opening, the frame, or past it, at any height.
         double angle = random.Uniform(-92, 92) * Math.PI / 180;
         double distance = random.Uniform(0.3, Farthest);
         bool low = random.Chance(0.4);
@@ -43,7 +43,7 @@ internal sealed class GoalShot
         Vector3d from = Place(distance * Math.Sin(angle), high, distance * Math.Cos(angle));
         while (Goal.Frame(ForceSet.Measured).Concat(people).Any(thing => thing.Shape.At(from).Distance < 0.12))
         {
-            // Not from within what stands there.
+            // Do not start inside an object.
             distance += 0.3;
             from = Place(distance * Math.Sin(angle), high, distance * Math.Cos(angle));
         }
@@ -54,7 +54,7 @@ internal sealed class GoalShot
         Vector3d way = Place(aside, height, 0) - from;
         double speed = random.Chance(0.25) ? random.Uniform(1, 9) : random.Uniform(9, 38);
 
-        // What gravity takes on the way it is given; some shots only.
+        // Some shots compensate for the drop by gravity on their path.
         double lift = random.Chance(0.7) ? 0.5 * 9.81 * way.Length / speed : 0;
         Vector3d velocity = (speed * (way / way.Length)) + new Vector3d(0, low && height < 0.2 ? 0 : Math.Min(lift, 12), 0);
         Start = Simulator.Launch(from, velocity, random.Chance(0.3) ? Vector3d.Zero : random.Uniform(0, 70) * random.Direction());
@@ -63,10 +63,10 @@ internal sealed class GoalShot
     /// <summary>The goal.</summary>
     public Goal Goal { get; }
 
-    /// <summary>Its scene, and the method.</summary>
+    /// <summary>The simulator of its scene.</summary>
     public Simulator Simulator { get; }
 
-    /// <summary>Step, s.</summary>
+    /// <summary>The time step, s.</summary>
     public double TimeStep { get; }
 
     /// <summary>The ball at the kick.</summary>

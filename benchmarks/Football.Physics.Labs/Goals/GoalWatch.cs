@@ -1,38 +1,38 @@
 namespace FootballPhysics.Labs.Goals;
 
 /// <summary>
-/// Watches a path in time for what makes a goal, knowing nothing of how the library does: the path of each piece is asked every half millisecond, and where it
-/// passes a plane, that instant is halved down to.
+/// Detects goals on a sampled path, independently of the library. It samples the path of each piece every half millisecond, and finds the time at which
+/// the path passes a plane by bisection.
 /// </summary>
 internal sealed class GoalWatch(Goal goal, double radius)
 {
     private const double Interval = 0.0005;
     private const int Halvings = 40;
 
-    /// <summary>How close to post or bar, m, is undecided: the path in time is that close to the steps.</summary>
+    /// <summary>Distances to post or bar below this, m, are undecided: the path agrees with the steps only to this accuracy.</summary>
     private const double Edge = 1e-6;
 
     private readonly Vector3d _out = goal.Facing / goal.Facing.Length;
     private bool _isThrough;
     private double _last;
 
-    /// <summary>When the ball was over the line, s; infinite where it never was.</summary>
+    /// <summary>The time at which the ball was over the line, s; infinite if it never was.</summary>
     public double Time { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Whether it came through within rounding of post or bar, or turned back within rounding of the line.</summary>
+    /// <summary>True if the ball passed within rounding of post or bar, or turned back within rounding of the line.</summary>
     public bool IsUndecided { get; private set; }
 
-    /// <summary>The plane behind the mouth at which all of the ball is over the line, m.</summary>
+    /// <summary>The position of the plane behind the mouth at which the ball is completely over the line, m.</summary>
     private double Line => -goal.PostRadius - radius;
 
-    /// <summary>Before the mouth, aside of its middle, and above the ground.</summary>
+    /// <summary>Returns the distance before the mouth, the distance aside of its middle, and the height above the ground.</summary>
     public (double Before, double Aside, double Height) Seen(Vector3d place)
     {
         Vector3d from = place - goal.Center;
         return ((from.X * _out.X) + (from.Z * _out.Z), (from.Z * _out.X) - (from.X * _out.Z), from.Y);
     }
 
-    /// <summary>Whether a ball that lies there lies in the goal: before the back net, which slants; behind it a ball may lie against it.</summary>
+    /// <summary>True if a ball that lies at the point lies in the goal: before the slanted back net. A ball behind the net may lie against it.</summary>
     public bool LiesIn(Vector3d place)
     {
         (double before, double aside, double height) = Seen(place);
@@ -41,15 +41,15 @@ internal sealed class GoalWatch(Goal goal, double radius)
             && Math.Abs(aside) <= (0.5 * goal.Width) + goal.PostRadius && height <= 0.5 * goal.Height;
     }
 
-    /// <summary>Watches a path from its start.</summary>
+    /// <summary>Follows a path from its start.</summary>
     public void Follow(Trajectory path)
     {
-        // A ball that is kicked on the line, in the opening, is through its mouth.
+        // A ball that is kicked on the line, in the opening, is already through the mouth.
         Begin(path.Pieces.Length > 0 ? path.Pieces[0].StartPosition : path.Final.Position);
         Continue(path, double.PositiveInfinity);
     }
 
-    /// <summary>Starts with a ball that is kicked or placed: a ball between mouth and line is through the mouth if it lies in the opening, or came through before.</summary>
+    /// <summary>Starts with a ball that is kicked or placed. A ball between mouth and line is through the mouth if it lies in the opening, or came through before.</summary>
     public void Begin(Vector3d place)
     {
         (double before, double aside, double height) = Seen(place);
@@ -60,7 +60,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
         IsUndecided = false;
     }
 
-    /// <summary>Watches the next part of a path, up to a time.</summary>
+    /// <summary>Follows the next part of a path, up to a time.</summary>
     public void Continue(Trajectory path, double until)
     {
         foreach (ref readonly PathSegment piece in path.Pieces)
@@ -78,7 +78,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
         }
     }
 
-    /// <summary>Watches a ball that was moved straight from one position to another at a time, as objects do that press it.</summary>
+    /// <summary>Follows a ball that an object in sustained contact moved straight from one position to another at a time.</summary>
     public void Jump(Vector3d from, Vector3d to, double time)
     {
         (double before, double aside, double height) = Seen(from);
@@ -115,7 +115,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
             Time = last > line ? Passes(in piece, from, to, line) : from;
         }
 
-        // It turned back at the line: whether it was over it for an instant is within rounding.
+        // The ball turned back at the line: whether it was over the line for an instant is within rounding.
         IsUndecided |= _isThrough && double.IsInfinity(Time) && now > last && last - line < Edge;
     }
 
@@ -127,7 +127,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
         IsUndecided |= Math.Abs(Math.Min(toPost, toBar)) < Edge;
     }
 
-    /// <summary>When a path passes a plane that it is before at first and behind then.</summary>
+    /// <summary>Returns the time at which a path passes a plane from front to back.</summary>
     private double Passes(in PathSegment piece, double from, double to, double plane)
     {
         for (int i = 0; i < Halvings; i++)

@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Goals;
 
-/// <summary>football lab goals: whether what goes in is told, and nothing else.</summary>
+/// <summary>football lab goals: checks that every goal is reported, and nothing else.</summary>
 internal static class GoalsLab
 {
     public static Command Create(Terminal terminal)
@@ -33,19 +33,19 @@ internal static class GoalsLab
 
         var table = new LabTable("Goals", "of the shots", "count", "verdict");
         table.Add("shots", count.Shots, null);
-        table.Add("told to be goals", count.Told, null);
+        table.Add("reported goals", count.Reported, null);
         table.Add("after a post, a bar or a keeper", count.Rebounds, null);
         table.Add("along the ground over the line", count.Carried, null);
-        table.Add("came to lie in a net", count.LieIn, null);
-        table.Add("came to lie in a net, not told", count.LieInUntold, Verdict.Of(count.LieInUntold == 0));
-        table.Add("over the line by the watched path, not told", count.Missed, Verdict.Of(count.Missed == 0));
-        table.Add("told, and not by the watched path, at another time, or twice", count.Wrong, Verdict.Of(count.Wrong == 0));
+        table.Add("came to rest in a net", count.LieIn, null);
+        table.Add("came to rest in a net, not reported", count.LieInUnreported, Verdict.Of(count.LieInUnreported == 0));
+        table.Add("over the line by the sampled path, not reported", count.Missed, Verdict.Of(count.Missed == 0));
+        table.Add("reported, and not by the sampled path, at another time, or twice", count.Wrong, Verdict.Of(count.Wrong == 0));
         table.Add("within a micrometre of post or bar, not judged", count.Undecided, null);
         table.Add("cut short", count.Cut, Verdict.Of(count.Cut == 0));
         var report = new LabReport { Name = "goals", Seed = seed, Tables = { table }, Failed = first >= 0 };
         if (first >= 0)
         {
-            report.Notes.Add(FormattableString.Invariant($"First that is wrong: shot {first}."));
+            report.Notes.Add(FormattableString.Invariant($"First wrong result: shot {first}."));
         }
 
         return report;

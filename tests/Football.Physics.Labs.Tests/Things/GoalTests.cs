@@ -5,7 +5,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Tests.Things;
 
-/// <summary>What is told to be a goal, and what is not.</summary>
+/// <summary>What is reported to be a goal, and what is not.</summary>
 public sealed class GoalTests
 {
     private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
@@ -20,9 +20,9 @@ public sealed class GoalTests
             Assert.True(count.Add(new SeededRandom(SeededRandom.Mix(11, i))), $"shot {i}");
         }
 
-        Assert.Equal((0, 0, 0, 0), (count.LieInUntold, count.Missed, count.Wrong, count.Cut));
+        Assert.Equal((0, 0, 0, 0), (count.LieInUnreported, count.Missed, count.Wrong, count.Cut));
         Assert.InRange(count.Undecided, 0, 2);
-        Assert.True(count is { Told: > 1000, Rebounds: > 150, Carried: > 150, LieIn: > 800 });
+        Assert.True(count is { Reported: > 1000, Rebounds: > 150, Carried: > 150, LieIn: > 800 });
     }
 
     [Theory]
@@ -32,9 +32,9 @@ public sealed class GoalTests
     public void Into_the_side_net_or_under_the_roof_it_is_in(double x, double y, double vx, double vy, double vz)
     {
         // At the plane on which it counts, it is beside the opening, or above it.
-        BallEvent told = Assert.Single(Goals(new Vector3d(x, y, -19), new Vector3d(vx, vy, vz)));
-        Assert.Equal(-20 - s_goal.PostRadius - s_scene.Ball.Radius, told.Position.Z, 1e-9);
-        Assert.True(Math.Abs(told.Position.X) > 3.55 || told.Position.Y > 2.33);
+        BallEvent reported = Assert.Single(Goals(new Vector3d(x, y, -19), new Vector3d(vx, vy, vz)));
+        Assert.Equal(-20 - s_goal.PostRadius - s_scene.Ball.Radius, reported.Position.Z, 1e-9);
+        Assert.True(Math.Abs(reported.Position.X) > 3.55 || reported.Position.Y > 2.33);
     }
 
     [Theory]
@@ -49,7 +49,7 @@ public sealed class GoalTests
     {
         var count = new GoalCount();
         Assert.True(count.Add(new SeededRandom(SeededRandom.Mix(77, 5390))));
-        Assert.Equal((0, 0), (count.LieIn, count.Told));
+        Assert.Equal((0, 0), (count.LieIn, count.Reported));
     }
 
     [Fact]
@@ -60,7 +60,7 @@ public sealed class GoalTests
         Goal goal = s_goal with { Center = new Vector3d(0, 0, 0), HasNet = false };
         var simulator = new Simulator(slope with { Goals = [goal] });
         int entered = 0;
-        int told = 0;
+        int reported = 0;
         for (double speed = 1; speed < 6; speed += 0.02)
         {
             BallState state = simulator.Launch(new Vector3d(0, -0.2, 1), new Vector3d(0, 0, -speed), Vector3d.Zero);
@@ -80,10 +80,10 @@ public sealed class GoalTests
             Assert.Equal(isIn || scored, least < 0);
             Assert.Equal(0UL, state.GoalsEntered);
             entered += isIn && !scored ? 1 : 0;
-            told += scored ? 1 : 0;
+            reported += scored ? 1 : 0;
         }
 
-        Assert.True(entered > 2 && told > 10, $"{entered} {told}");
+        Assert.True(entered > 2 && reported > 10, $"{entered} {reported}");
     }
 
     [Theory]
@@ -95,18 +95,18 @@ public sealed class GoalTests
     {
         var ball = new Ball(s_scene);
         ball.Place(new Vector3d(1, 0.11, z));
-        int told = 0;
+        int reported = 0;
         for (int kick = 0; kick < 2; kick++)
         {
             ball.Kick(new Vector3d(0, 0, speed), Vector3d.Zero);
             for (int i = 0; i < 120; i++)
             {
                 ball.Step(1.0 / 60);
-                told += ball.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
+                reported += ball.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
             }
         }
 
-        Assert.Equal(expected, told);
+        Assert.Equal(expected, reported);
     }
 
     [Fact]
@@ -137,16 +137,16 @@ public sealed class GoalTests
         ball.Place(new Vector3d(1, 0.11, -19.9));
 
         // Put over the ball without a speed of its own, nearer in each frame.
-        int told = 0;
+        int reported = 0;
         for (int i = 0; i < 60; i++)
         {
             foot.MoveTo(new Vector3d(1, 0.15, -19.5 - (0.01 * i)), Vector3d.Zero, ball.Time);
             ball.Step(1.0 / 60);
-            told += ball.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
+            reported += ball.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
         }
 
         Assert.InRange(ball.Position.Z, -20.6, -20.18);
-        Assert.Equal(1, told);
+        Assert.Equal(1, reported);
     }
 
     [Fact]
