@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>Players who dribble along ways with turns: where the ball is all the while.</summary>
+/// <summary>Counts the positions of the ball while players dribble along paths with turns.</summary>
 internal static class DribbleCounts
 {
     private const int TouchesOfOne = 8;
@@ -33,7 +33,7 @@ internal static class DribbleCounts
             Vector3d player = Vector3d.Zero;
             Vector3d way = Heading(angle);
 
-            // It comes to his feet somehow: rolling, sliding, skipping, with spin of its own.
+            // The ball reaches his feet rolling, sliding, skipping, or with a spin of its own.
             BallState ball = simulator.Launch(
                 player + (0.5 * way) + new Vector3d(0, random.Chance(0.3) ? random.Uniform(0.11, 0.4) : 0.11, 0),
                 new Vector3d(random.Uniform(-6, 6), random.Chance(0.3) ? random.Uniform(-2, 1) : 0, random.Uniform(-6, 6)),
@@ -43,7 +43,7 @@ internal static class DribbleCounts
             bool isLost = false;
             for (int k = 0; k < TouchesOfOne && !isLost; k++)
             {
-                // A turn of up to 90°, and shorter touches at sharper turns.
+                // Turn by up to 90°, with shorter touches at sharper turns.
                 double turn = k == 0 ? 0 : random.Uniform(-Math.PI / 2, Math.PI / 2);
                 angle += turn;
                 way = Heading(angle);
@@ -70,7 +70,7 @@ internal static class DribbleCounts
                     farthest = Math.Max(farthest, apart.Length);
                     isFar |= apart.Length > Farthest;
 
-                    // Ahead once he has turned: from the middle of a touch on; at a turn of 90° the ball lies beside him when he touches it.
+                    // The ball must be ahead once he has turned: after the middle of a touch. At a turn of 90° it lies next to him at the touch.
                     isBehind |= Vector3d.Dot(apart, way) <= 0 && (n > steps / 2 || Math.Abs(turn) < 0.5);
                 }
             }

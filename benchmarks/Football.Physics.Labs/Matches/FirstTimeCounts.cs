@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>Moving balls struck to a target as they come: whether what is said to hit does so in the game.</summary>
+/// <summary>Counts first-time strikes of moving balls at a target: a predicted hit must also hit in the game.</summary>
 internal static class FirstTimeCounts
 {
     private const double Near = 0.01;
@@ -20,7 +20,7 @@ internal static class FirstTimeCounts
         int outOf = 0;
         double worst = 0;
         double chances = 0;
-        int asked = 0;
+        int requests = 0;
         for (int i = 0; i < count; i++)
         {
             int at = i;
@@ -45,7 +45,7 @@ internal static class FirstTimeCounts
             {
                 double chance = sure.FirstTimeShot(in ball, request).Chance;
                 chances += double.IsNaN(chance) ? 0 : chance;
-                asked++;
+                requests++;
             }
 
             if (!touch.Succeeds)
@@ -55,7 +55,7 @@ internal static class FirstTimeCounts
                 continue;
             }
 
-            // In the game's own steps, with the foot itself.
+            // Simulate in the game's own steps, with the foot itself.
             said++;
             FootStrike strike = touches.Foot.Strike(simulator.Scene.Ball, ball.Velocity, ball.Spin, touch.Strike.FootVelocity, touch.Strike.Normal);
             BallState kicked = ball;
@@ -73,7 +73,7 @@ internal static class FirstTimeCounts
         table.Add("worst of those that are said to hit, m", worst, null);
         table.Add("the foot is too slow", slow, null);
         table.Add("no touch does", outOf, null);
-        table.Add("chance within half a metre with the foot's errors, mean", chances / Math.Max(1, asked), null);
+        table.Add("chance within half a metre with the foot's errors, mean", chances / Math.Max(1, requests), null);
         return (table, wrong == 0);
     }
 }

@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>Random impacts of two balls, and of a ball with what has a mass: momentum, angular momentum, energy, and what an infinite mass gives.</summary>
+/// <summary>Checks random impacts of two balls, and of a ball with an object that has a mass: momentum, angular momentum, energy, and the limit of infinite mass.</summary>
 internal static class ImpactBalances
 {
     private const double Rounding = 1e-12;
@@ -32,7 +32,7 @@ internal static class ImpactBalances
                 TangentialRestitution = random.Uniform(-1, 1),
                 ImpactFriction = random.Uniform(0, 1.5),
 
-                // What two balls turn against each other about the normal; of a thing with a mass, which does not turn, there is no balance of it.
+                // Spin of two balls about the normal. An object with a mass does not turn, so there is no angular momentum balance for it.
                 SpinRestitution = i % 4 == 0 ? random.Next() : 1,
                 SlidingFriction = random.Uniform(0, 1),
                 TorsionalPatchRadius = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
@@ -60,7 +60,7 @@ internal static class ImpactBalances
                 momentum = (ball.Mass * (a.Velocity - v)) + (second.Mass * (b.Velocity - v2));
                 scale = (ball.Mass * v.Length) + (second.Mass * v2.Length);
 
-                // About the contact: the levers are r₁ n and −r₂ n.
+                // Angular momentum about the contact: the levers are r₁ n and −r₂ n.
                 Vector3d turned = (ball.MomentOfInertia * (a.Spin - w)) + Vector3d.Cross(ball.Radius * n, ball.Mass * (a.Velocity - v));
                 Vector3d itsTurned = (second.MomentOfInertia * (b.Spin - w2)) + Vector3d.Cross(-second.Radius * n, second.Mass * (b.Velocity - v2));
                 double own = Math.Max((turned - (Vector3d.Dot(turned, n) * n)).Length, (itsTurned - (Vector3d.Dot(itsTurned, n) * n)).Length);

@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>What a jump within a recording costs: a whole match, and a shorter one among players, to ticks by lot.</summary>
+/// <summary>Measures the cost of a jump within a recording: a complete match, and a shorter one among players, to random ticks.</summary>
 internal static class JumpCost
 {
     private const int Jumps = 400;
@@ -48,7 +48,7 @@ internal static class JumpCost
             int other = 0;
             for (int i = -20; i < Jumps; i++)
             {
-                // The first ones compile.
+                // The first jumps compile the code.
                 long tick = random.Below(ticks + 1);
                 long start = Stopwatch.GetTimestamp();
                 int steps = segment.Seek(replay, tick);

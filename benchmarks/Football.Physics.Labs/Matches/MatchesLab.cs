@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>football lab matches: players in time, touches at a player's feet, impacts between what has a mass, several balls.</summary>
+/// <summary>football lab matches: players in time, touches at a player's feet, impacts between objects with a mass, several balls.</summary>
 internal static class MatchesLab
 {
     public static Command Create(Terminal terminal)

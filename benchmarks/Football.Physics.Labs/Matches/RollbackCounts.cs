@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>Matches whose kicks come late, at frames of several lengths, against the same matches with all kicks in time.</summary>
+/// <summary>Compares matches whose kicks arrive late, at frames of several lengths, with the same matches and all kicks in time.</summary>
 internal static class RollbackCounts
 {
     private const int Ticks = 200;
@@ -11,29 +11,29 @@ internal static class RollbackCounts
     private const int MostSteps = 12;
     private static readonly double[] Frames = [0.01, 1 / 30.0, 0.1, 0];
 
-    /// <summary>What moves, and who says where it is.</summary>
+    /// <summary>The kind of moving objects, and the source of their positions.</summary>
     private enum Kind
     {
-        AskedBodies,
+        CallbackBodies,
         KeptBodies,
-        AskedEngine,
+        CallbackEngine,
         SeveralBalls,
         Hall,
     }
 
-    /// <summary>Ticks from one rounding to the wire form to the next, in a hall.</summary>
+    /// <summary>The number of ticks between two roundings to the wire form, in a hall.</summary>
     private const int HallWireTicks = 6;
 
-    /// <summary>Plays the matches.</summary>
+    /// <summary>Simulates the matches.</summary>
     /// <param name="seed">The seed.</param>
-    /// <param name="count">Matches among bodies; of the other kinds a quarter each.</param>
-    /// <param name="progress">Where progress is reported.</param>
-    /// <param name="inHalls">Whether to play as many in a cage with nets, wind and kicks at the goals, rounded to the wire form.</param>
+    /// <param name="count">The number of matches with bodies; the other kinds have a quarter each.</param>
+    /// <param name="progress">Receives the progress.</param>
+    /// <param name="inHalls">True to add as many matches in a cage with nets, wind and kicks at the goals, rounded to the wire form.</param>
     public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress, bool inHalls = false)
     {
         var table = new LabTable("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
         bool holds = true;
-        Kind[] kinds = [Kind.AskedBodies, Kind.KeptBodies, Kind.AskedEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
+        Kind[] kinds = [Kind.CallbackBodies, Kind.KeptBodies, Kind.CallbackEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
         for (int k = 0; k < kinds.Length; k++)
         {
             int apart = 0;
@@ -41,8 +41,8 @@ internal static class RollbackCounts
             int kicks = 0;
             int late = 0;
 
-            // Of bodies and halls all matches, of the rest a quarter each.
-            int matches = kinds[k] is Kind.AskedBodies or Kind.Hall ? count : Math.Max(1, count / 4);
+            // All matches for bodies and halls, a quarter of them for the other kinds.
+            int matches = kinds[k] is Kind.CallbackBodies or Kind.Hall ? count : Math.Max(1, count / 4);
             for (int i = 0; i < matches; i++)
             {
                 int at = i;
@@ -62,9 +62,9 @@ internal static class RollbackCounts
 
     private static string Name(Kind kind) => kind switch
     {
-        Kind.AskedBodies => "bodies, by MoveBodies",
+        Kind.CallbackBodies => "bodies, by MoveBodies",
         Kind.KeptBodies => "bodies, as the rollback kept them",
-        Kind.AskedEngine => "an engine's colliders, by MoveBodies",
+        Kind.CallbackEngine => "an engine's colliders, by MoveBodies",
         Kind.SeveralBalls => "bodies and three balls, by MoveBodies",
         _ => "bodies in a cage with nets and wind, by MoveBodies, wire form",
     };
@@ -76,14 +76,14 @@ internal static class RollbackCounts
         int[] delays = [.. all.Select(_ => 1 + random.Below(MostLate))];
         kicks += all.Length;
 
-        // In time, a tick at a time.
+        // Reference: kicks in time, one tick at a time.
         FixedStepRunner inTime = Runner(kind, squad);
         foreach (KickInput kick in all)
         {
             inTime.Kicks.Add(in kick);
         }
 
-        // A frame may take the others some ticks further.
+        // A frame may advance the other runners beyond the last tick.
         var states = new BallState[Ticks + MostSteps + 1][];
         while (inTime.Tick < states.Length)
         {
@@ -93,7 +93,7 @@ internal static class RollbackCounts
 
         foreach (double frame in Frames)
         {
-            // Bodies that the rollback keeps are moved by the game itself, once a tick: it has one frame rate.
+            // If the rollback stores the bodies, the game moves them itself once per tick, so there is only one frame rate.
             if (kind == Kind.KeptBodies && frame != Frames[0])
             {
                 continue;
@@ -152,7 +152,7 @@ internal static class RollbackCounts
     private static FixedStepRunner Runner(Kind kind, Squad squad)
     {
         Scene scene = kind == Kind.Hall ? Pitch.Cage.On(Scene.Default with { Air = new Air { Wind = new Vector3d(3, 0, 6) } }) : Pitch.Standard.On(Scene.Default);
-        scene = kind == Kind.AskedEngine ? scene with { EngineColliders = squad.NewEngine() } : scene with { Bodies = squad.NewBodies() };
+        scene = kind == Kind.CallbackEngine ? scene with { EngineColliders = squad.NewEngine() } : scene with { Bodies = squad.NewBodies() };
         var simulator = new Simulator(scene);
         FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
         runner.QuantizationInterval = kind == Kind.Hall ? HallWireTicks : 0;
@@ -165,7 +165,7 @@ internal static class RollbackCounts
         return runner;
     }
 
-    /// <summary>A kick at every second tick.</summary>
+    /// <summary>Draws a kick at every second tick.</summary>
     private static KickInput[] Kicks(SeededRandom random, int balls, double fastest) =>
     [
         .. Enumerable.Range(0, (Ticks / 2) - 1).Select(i => new KickInput(
@@ -176,7 +176,7 @@ internal static class RollbackCounts
             random.Below(balls))),
     ];
 
-    /// <summary>A rollback in which something moved of which nobody says where it was.</summary>
+    /// <summary>True if a rollback rejects a late kick when objects moved and their earlier positions are unknown.</summary>
     private static bool RefusesUnknown(bool engine)
     {
         var squad = new Squad(new SeededRandom(5UL));

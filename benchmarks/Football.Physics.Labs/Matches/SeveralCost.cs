@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>What fifty balls over a pitch cost together, by what they cost one after the other.</summary>
+/// <summary>Compares the cost of fifty balls in groups over a pitch with their cost one by one.</summary>
 internal static class SeveralCost
 {
     private const int Balls = 50;
@@ -11,10 +11,10 @@ internal static class SeveralCost
     private const int Rounds = 41;
     private const double Step = 1 / 60.0;
 
-    /// <summary>So long, s, until the code is compiled as it stays.</summary>
+    /// <summary>The warm-up time, s, after which the code is fully compiled.</summary>
     private const double WarmUp = 1.5;
 
-    /// <summary>The largest ratios of a step among others to one alone, of fifty balls and of one.</summary>
+    /// <summary>The largest allowed ratios of a step in a group to a step alone, for fifty balls and for one.</summary>
     private const double Together = 1.2;
     private const double Alone = 1.1;
 
@@ -44,7 +44,7 @@ internal static class SeveralCost
                 met += Play(simulator, group, Start(simulator, seed, round, flying), out single[round], out together[round]);
             }
 
-            // The median of the ratios: both are measured in turns, so that a busy machine slows both.
+            // Use the median of the ratios: both are measured in turns, so that a busy machine slows both.
             double[] ratios = [.. single.Zip(together, (a, b) => b / a).Order()];
             double ratio = ratios[Rounds / 2];
             bool reached = !(ratio > most);
@@ -54,8 +54,8 @@ internal static class SeveralCost
         return table;
     }
 
-    /// <summary>Two seconds of balls, each by itself and then in groups; what a ball and step took, ns.</summary>
-    /// <returns>Impacts of balls, each counted at both.</returns>
+    /// <summary>Simulates two seconds of balls, first one by one and then in groups, and measures the time per ball and step, ns.</summary>
+    /// <returns>The number of impacts between balls, each counted for both balls.</returns>
     private static int Play(Simulator simulator, BallGroup group, BallState[] alone, out double single, out double together)
     {
         int met = 0;

@@ -24,7 +24,7 @@ internal sealed class Squad
         }
     }
 
-    /// <summary>Bodies of their own for a scene: half of them with a mass.</summary>
+    /// <summary>Creates bodies for a scene: half of them with a mass.</summary>
     public KinematicBodies NewBodies()
     {
         _bodies = new KinematicBodies();
@@ -37,17 +37,17 @@ internal sealed class Squad
         return _bodies;
     }
 
-    /// <summary>Colliders of their own for a scene.</summary>
+    /// <summary>Creates colliders for a scene.</summary>
     public IEngineColliders NewEngine()
     {
         _engine = new Engine(this);
         return _engine;
     }
 
-    /// <summary>Moves what was made last to a time.</summary>
+    /// <summary>Moves the bodies or colliders that were created last to a time.</summary>
     public void MoveTo(double time) => Mover()(time);
 
-    /// <summary>What moves the bodies, or the colliders, that were made last.</summary>
+    /// <summary>Returns a function that moves the bodies or colliders that were created last.</summary>
     public Action<double> Mover()
     {
         KinematicBodies? bodies = _bodies;
@@ -74,7 +74,7 @@ internal sealed class Squad
         return (_middle[player] + (_radius[player] * out_), _radius[player] * _rate[player] * new Vector3d(-out_.Z, 0, out_.X));
     }
 
-    /// <summary>An engine that has every player as a capsule, and is asked for those near a way.</summary>
+    /// <summary>An engine with a capsule per player, which reports those near a path.</summary>
     private sealed class Engine(Squad squad) : IEngineColliders
     {
         private readonly EngineCollider[] _colliders =

@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
-/// <summary>Balls that come to a player who stops them: how fast they are against him then.</summary>
+/// <summary>Counts balls that a player traps, and their speed relative to him afterwards.</summary>
 internal static class TrapCounts
 {
     private const double Dead = 0.3;
@@ -16,7 +16,7 @@ internal static class TrapCounts
         int alive = 0;
         int unsaid = 0;
         double chances = 0;
-        int asked = 0;
+        int requests = 0;
         var after = new List<double>();
         var settled = new List<double>();
         var away = new List<double>();
@@ -40,7 +40,7 @@ internal static class TrapCounts
             if (i % 20 == 0)
             {
                 chances += sure.Trap(in ball, request).Chance;
-                asked++;
+                requests++;
             }
 
             FootStrike strike = touches.Foot.Strike(simulator.Scene.Ball, ball.Velocity, ball.Spin, touch.Strike.FootVelocity, touch.Strike.Normal);
@@ -66,7 +66,7 @@ internal static class TrapCounts
         table.Add("speed settled, p95, m/s", then.P95, null);
         table.Add("speed settled, worst, m/s", then.Worst, null);
         table.Add("gone from him meanwhile, p95, m", gone.P95, null);
-        table.Add("chance of 1 m/s or less with the foot's errors, mean", chances / Math.Max(1, asked), null);
+        table.Add("chance of 1 m/s or less with the foot's errors, mean", chances / Math.Max(1, requests), null);
         return (table, alive == 0 && unsaid == 0);
     }
 }
