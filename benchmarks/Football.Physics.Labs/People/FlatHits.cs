@@ -2,15 +2,15 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline: when it rests, against the same kick on open ground.</summary>
+/// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline. Compares its time of rest with the same kick on open ground.</summary>
 internal sealed class FlatHits() : PeopleCases("flat into an edge")
 {
     private const double Frame = 1.0 / 60;
 
-    /// <summary>So long is waited for a rest, s.</summary>
+    /// <summary>The longest time to wait for rest, s.</summary>
     private const double Longest = 90;
 
-    /// <summary>A slide in the edge that lasts longer is no slide, s.</summary>
+    /// <summary>The longest slide in the edge that is allowed, s.</summary>
     private const double LongSlide = 2;
 
     private readonly (Simulator Simulator, double Board)[] _pitches =
@@ -28,21 +28,21 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
     public PeopleClaim Restless { get; } = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>
-    /// At rest later than it would be on open ground from where a board hit it last, or let it down, as it was and were all its energy in its rolling: a board on which
-    /// it spins may drive it on with that.
+    /// Counts balls at rest later than on open ground, from the last hit or support by a board. A ball counts only if it is later than both with the same
+    /// motion and with all its energy as rolling, because spin at a board may drive the ball on with that energy.
     /// </summary>
     public PeopleClaim Later { get; } =
         new("flat into an edge: at rest later than with its energy on open ground, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    /// <summary>At rest later than it would be from there as it was.</summary>
+    /// <summary>Counts balls at rest later than on open ground from there with the same motion.</summary>
     public PeopleClaim SpinLater { get; } = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
-    /// <summary>At rest later than the same kick on open ground: a board that sends a spinning ball back has made topspin of its backspin.</summary>
+    /// <summary>Counts balls at rest later than the same kick on open ground: a board that returns a spinning ball turns its backspin into topspin.</summary>
     public PeopleClaim Turned { get; } = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     public override PeopleClaim[] Claims => [SlidLong, Restless, Later, SpinLater, Turned];
 
-    /// <summary>Plays one kick; those that miss the board are not counted.</summary>
+    /// <summary>Simulates one kick; kicks that miss the board are not counted.</summary>
     public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
@@ -101,7 +101,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
         claim.Case(later > Frame);
     }
 
-    /// <summary>How fast it would roll with all its energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>
+    /// <summary>Returns the rolling speed with all the ball's energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>
     private static Vector3d Rolling(BallProperties ball, in BallState s)
     {
         double energy = s.Velocity.LengthSquared + (ball.InertiaFactor * ball.Radius * ball.Radius * s.Spin.LengthSquared);
@@ -109,7 +109,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
         return along.Length > 0 ? Math.Sqrt(energy / (1 + ball.InertiaFactor)) / along.Length * along : Vector3d.Zero;
     }
 
-    /// <summary>When a ball rests on open ground, s.</summary>
+    /// <summary>Returns the time at which a ball rests on open ground, s.</summary>
     private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time)
     {
         BallState state = _open.Launch(from, velocity, spin);

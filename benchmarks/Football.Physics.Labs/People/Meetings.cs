@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>One thing that moves and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
+/// <summary>One moving object and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
 internal sealed class Meetings() : PeopleCases("one thing and a ball")
 {
     private const int Frames = 150;
@@ -22,7 +22,7 @@ internal sealed class Meetings() : PeopleCases("one thing and a ball")
 
     public override PeopleClaim[] Claims => [TooFast, InGround, Overlap];
 
-    /// <summary>Plays one meeting.</summary>
+    /// <summary>Simulates one meeting.</summary>
     public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));

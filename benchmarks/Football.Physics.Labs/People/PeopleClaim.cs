@@ -11,12 +11,12 @@ internal enum ClaimParts
     Verdict = 4,
 }
 
-/// <summary>A claim over many cases: how often it does not hold, the worst size, and its scene.</summary>
+/// <summary>A claim over many cases: the number of violations, the worst size, and its scene.</summary>
 internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Count | ClaimParts.Verdict)
 {
     private string _at = "";
 
-    /// <summary>The cases, and how many of them break the claim.</summary>
+    /// <summary>The number of cases, and the number that violate the claim.</summary>
     public long Of { get; private set; }
 
     public long Count { get; private set; }
@@ -33,7 +33,7 @@ internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Cou
         _at = isBroken && at is not null ? FormattableString.Invariant(at) : _at;
     }
 
-    /// <summary>Adds a case with a number of its own.</summary>
+    /// <summary>Adds a number of cases.</summary>
     public void Add(long count)
     {
         Of++;
@@ -65,12 +65,12 @@ internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Cou
 }
 
 /// <summary>Cases of one kind, and their claims.</summary>
-/// <param name="name">The name of its balls.</param>
+/// <param name="name">The name of its balls in the table.</param>
 internal abstract class PeopleCases(string name)
 {
     protected const double Radius = 0.11;
 
-    /// <summary>Deeper, m, is inside.</summary>
+    /// <summary>A ball that is deeper than this, m, is inside.</summary>
     protected const double Entered = 1e-6;
 
     public string Name => name;

@@ -9,10 +9,10 @@ internal static class PeopleLab
 {
     private const long Most = 1_000_000;
 
-    /// <summary>Cases that are played before any is measured: their code is compiled then.</summary>
+    /// <summary>The number of cases that are simulated before any measurement, so that their code is compiled.</summary>
     private const int WarmUps = 60;
 
-    /// <summary>Seeds of those: no case that counts is among them.</summary>
+    /// <summary>The seed of the warm-up cases, which no measured case uses.</summary>
     private const long WarmUpSeed = -1;
 
     private static readonly PressKind[] s_kinds = Enum.GetValues<PressKind>();
@@ -100,7 +100,7 @@ internal static class PeopleLab
             Report(matches);
         }
 
-        /// <summary>Simulates cases that warm up, and those that count.</summary>
+        /// <summary>Simulates warm-up cases, and then the measured ones.</summary>
         private void Each(string name, int count, Func<PeopleCases> make)
         {
             PeopleCases warmUp = make();
@@ -127,7 +127,7 @@ internal static class PeopleLab
             bool holds = meter.MostEvents <= StepMeter.MostAllowed && meter.Bytes == 0;
             _steps.Add(name, cases.Cases, meter.Steps, meter.MostEvents, meter.MostEvaluations, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
 
-            // A time is no reason to fail: the machine may be busy.
+            // The run does not fail for a time: the machine may be busy.
             _report.Failed |= !holds;
             if (meter.MostEvents > StepMeter.MostAllowed)
             {

@@ -2,15 +2,15 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Two players run at a ball that lies between them, or falls there, each at his own speed and a little aside.</summary>
+/// <summary>Two players run at a ball that lies or falls between them, each at his own speed and a little aside.</summary>
 internal sealed class Pinches() : PeopleCases("between two players")
 {
     private const int Frames = 150;
 
-    /// <summary>What moves is close where it is closer than this at an end of a frame, m, or came closer in it.</summary>
+    /// <summary>A player touches the ball if he is closer than this at an end of a frame, m, or came closer within it.</summary>
     private const double Close = 1e-3;
 
-    /// <summary>Rounding of the paths, as a share of a speed.</summary>
+    /// <summary>The rounding error of the paths, as a share of a speed.</summary>
     private const double Rounding = 1e-6;
 
     public PeopleClaim TooFast { get; } = new("pinched: faster than it may be, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
@@ -19,14 +19,14 @@ internal sealed class Pinches() : PeopleCases("between two players")
 
     public PeopleClaim Squeezed { get; } = new("pinched: squeezed", ClaimParts.Count);
 
-    /// <summary>Squeezes that had not ended when the players had passed each other.</summary>
+    /// <summary>Squeezes that had not ended after the players had passed each other.</summary>
     public PeopleClaim Unending { get; } = new("pinched: squeezed when the players have passed");
 
     public PeopleClaim InGround { get; } = new("pinched: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     public override PeopleClaim[] Claims => [TooFast, Beyond20, Squeezed, Unending, InGround];
 
-    /// <summary>Plays one pinch.</summary>
+    /// <summary>Simulates one pinch.</summary>
     public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
@@ -84,7 +84,7 @@ internal sealed class Pinches() : PeopleCases("between two players")
         InGround.Case(deepest > Entered);
     }
 
-    /// <summary>The fastest of the players who touched the ball in a frame, and when; how fast it came to the first of them.</summary>
+    /// <summary>Returns the speed of the fastest player who touched the ball in a frame, the times of the touches, and the ball's speed at the first of them.</summary>
     private static MoverTouch Touch(WalkingPlayer[] players, Ball ball, double frame, in BallState before, in BallState after)
     {
         double fastest = -1;

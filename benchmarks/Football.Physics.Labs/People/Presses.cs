@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>What a ball is pressed against.</summary>
+/// <summary>The kinds of objects that a ball is pressed against.</summary>
 internal enum PressKind
 {
     Board,
@@ -11,7 +11,7 @@ internal enum PressKind
     Net,
 }
 
-/// <summary>A player presses the ball against a board, into a corner of two, against a post, into a net: he stops where he touches them, or walks on.</summary>
+/// <summary>A player presses the ball against a board, into a corner of two, against a post, or into a net. He stops when he touches them, or walks on.</summary>
 internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
 {
     private const double Thick = 0.05;
@@ -28,7 +28,7 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
 
     public override PeopleClaim[] Claims => [Inside, Behind];
 
-    /// <summary>Plays one press.</summary>
+    /// <summary>Simulates one press.</summary>
     public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
@@ -75,7 +75,7 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
         Behind.Case(end.Y < 1.2 && ((kind is PressKind.Board or PressKind.Corner && end.Z < s_end.Z - Thick) || (kind == PressKind.Corner && end.X < s_side.X - Thick)));
     }
 
-    /// <summary>How deep the ball is in what stands still, m.</summary>
+    /// <summary>Returns the depth of the ball in the standing objects, m.</summary>
     private double Depth(Vector3d place)
     {
         double gap = place.Y;
@@ -97,7 +97,7 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
         return Radius - gap;
     }
 
-    /// <summary>He stops where he touches what the ball is pressed against.</summary>
+    /// <summary>Stops the player when he touches the object that the ball is pressed against.</summary>
     private void Stop(WalkingPlayer player)
     {
         Vector3d place = player.Place;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Distances in closed form, written apart from the library's shapes.</summary>
+/// <summary>Distances in closed form, implemented independently of the library's shapes.</summary>
 internal static class Solid
 {
-    /// <summary>From the surface of a capsule; negative inside.</summary>
+    /// <summary>Returns the distance from the surface of a capsule; negative inside.</summary>
     public static double Capsule(Vector3d place, Vector3d from, Vector3d to, double radius)
     {
         Vector3d axis = to - from;
@@ -11,7 +11,7 @@ internal static class Solid
         return (place - (from + (share * axis))).Length - radius;
     }
 
-    /// <summary>From the surface of a box along the axes; negative inside.</summary>
+    /// <summary>Returns the distance from the surface of an axis-aligned box; negative inside.</summary>
     public static double Box(Vector3d place, Vector3d center, Vector3d half)
     {
         double x = Math.Abs(place.X - center.X) - half.X;
@@ -21,7 +21,7 @@ internal static class Solid
         return outside > 0 ? outside : Math.Max(x, Math.Max(y, z));
     }
 
-    /// <summary>From the surface of a box that is turned about its place.</summary>
+    /// <summary>Returns the distance from the surface of a rotated box.</summary>
     public static double Box(Vector3d place, Vector3d at, Quaterniond turned, Vector3d center, Vector3d half) =>
         Box(new Quaterniond(-turned.X, -turned.Y, -turned.Z, turned.W).Rotate(place - at), center, half);
 }

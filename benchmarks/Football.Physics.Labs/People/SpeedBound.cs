@@ -1,23 +1,23 @@
 namespace FootballPhysics.Labs.People;
 
 /// <summary>
-/// How fast things that move may make a ball: no faster than the fastest of them times 1 + e, or than the impact of the first alone made it, which adds (1 + e) u
-/// at most. After a while without a touch it comes anew. What it falls is its own.
+/// Bounds the speed that moving objects may give a ball: (1 + e) times the fastest object's speed, or the speed after the impact of the first object
+/// alone, which adds (1 + e) u at most. After a time without a touch the bound starts from scratch. Speed gained by falling does not count.
 /// </summary>
 internal sealed class SpeedBound(double gravity)
 {
-    /// <summary>Touches that are farther apart, s, have nothing to do with one another.</summary>
+    /// <summary>Touches that are farther apart than this, s, are independent.</summary>
     private const double Apart = 0.1;
 
     private double _most;
     private double _highest;
     private double _touched = double.NegativeInfinity;
 
-    /// <summary>The most that a step allows, m/s.</summary>
-    /// <param name="before">The ball before it.</param>
-    /// <param name="after">The ball after it.</param>
-    /// <param name="touch">What moves and touched it in that step.</param>
-    /// <param name="material">The material of it.</param>
+    /// <summary>Returns the largest speed that a step allows, m/s.</summary>
+    /// <param name="before">The ball before the step.</param>
+    /// <param name="after">The ball after the step.</param>
+    /// <param name="touch">The moving objects that touched the ball in the step.</param>
+    /// <param name="material">Their material.</param>
     public double Follow(in BallState before, in BallState after, in MoverTouch touch, SurfaceMaterial material)
     {
         if (touch.Speed >= 0)
@@ -34,7 +34,7 @@ internal sealed class SpeedBound(double gravity)
         }
         else
         {
-            // What it makes of its spin on the ground is its own.
+            // Speed that the ball gains from its spin on the ground is allowed.
             _most = Math.Max(_most, after.Velocity.Length);
         }
 
@@ -44,19 +44,19 @@ internal sealed class SpeedBound(double gravity)
             : Math.Sqrt((_most * _most) + (2 * gravity * (_highest - Math.Min(before.Position.Y, after.Position.Y))) + SpinEnergy(before.Spin));
     }
 
-    /// <summary>2 E/m of the spin, m²/s²: a contact with friction may turn it into speed.</summary>
+    /// <summary>Returns 2 E/m of the spin, m²/s²: a contact with friction may turn it into speed.</summary>
     private static double SpinEnergy(in Vector3d spin) => BallProperties.Modern.InertiaFactor * BallProperties.Modern.Radius * BallProperties.Modern.Radius * spin.LengthSquared;
 
-    /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), that of the slowest hits.</summary>
+    /// <summary>Returns e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²) of the slowest hits.</summary>
     private static double Restitution(SurfaceMaterial surface) => double.IsInfinity(surface.RestitutionSpeedScale)
         ? surface.NormalRestitution
         : Math.Min(1, surface.NormalRestitution * Math.Sqrt(1 + (36 / (surface.RestitutionSpeedScale * surface.RestitutionSpeedScale))));
 }
 
-/// <summary>What moves and touched a ball in a step.</summary>
-/// <param name="Speed">Its speed, m/s; negative where nothing did.</param>
-/// <param name="Came">How fast the ball came to it, m/s; negative where it was there before.</param>
-/// <param name="From">When it did so first, s.</param>
-/// <param name="To">When it did so last, s.</param>
-/// <param name="Highest">How high the ball was at an event of the step, m.</param>
+/// <summary>The touches of moving objects with a ball in a step.</summary>
+/// <param name="Speed">The speed of the fastest object, m/s; negative without a touch.</param>
+/// <param name="Came">The speed of the ball before the first touch, m/s; negative if the object already touched the ball.</param>
+/// <param name="From">The time of the first touch, s.</param>
+/// <param name="To">The time of the last touch, s.</param>
+/// <param name="Highest">The greatest height of the ball at an event of the step, m.</param>
 internal readonly record struct MoverTouch(double Speed, double Came, double From, double To, double Highest);

@@ -3,8 +3,9 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.People;
 
 /// <summary>
-/// A stadium closed by boards as high as a house: two goals with nets, flags, 22 players who run like players, four swinging feet, an engine's spheres. A match
-/// is a function of its seed alone. In the last third of each minute nobody touches the ball, and at its end all stand still.
+/// A stadium closed by boards as high as a house: two goals with nets, flags, 22 players with human speed and acceleration, four swinging feet, an
+/// engine's spheres. A match is a function of its seed alone. In the last third of each minute nobody touches the ball, and at its end all actors stand
+/// still.
 /// </summary>
 internal sealed class Stadium
 {
@@ -83,13 +84,13 @@ internal sealed class Stadium
 
     public int Kicks { get; private set; }
 
-    /// <summary>Whether nobody is to touch the ball.</summary>
+    /// <summary>True if nobody is to touch the ball.</summary>
     public bool IsDead => Ball.Time % 60 > 38;
 
-    /// <summary>Whether the dead time is nearly over: a ball that was left alone has come to rest.</summary>
+    /// <summary>True if the dead time is nearly over: an untouched ball has come to rest.</summary>
     public bool HasHadTime => Ball.Time % 60 > 57;
 
-    /// <summary>Decides how everybody goes on, and whether somebody kicks.</summary>
+    /// <summary>Decides how every actor moves on, and whether one kicks.</summary>
     public (Vector3d Velocity, Vector3d Spin)? Decide(double duration)
     {
         Vector3d ball = Ball.State.Position;
@@ -124,7 +125,7 @@ internal sealed class Stadium
         return Kick(who < 11 ? 1 : -1, ball);
     }
 
-    /// <summary>Puts all that moves where the next step is to find it.</summary>
+    /// <summary>Sets all moving objects for the next step.</summary>
     public void Put()
     {
         foreach (WalkingPlayer player in _players)
@@ -135,7 +136,7 @@ internal sealed class Stadium
         Spheres.Time = Ball.Time;
     }
 
-    /// <summary>After a step.</summary>
+    /// <summary>Moves all actors by a frame, after a step.</summary>
     public void Walk(double duration)
     {
         foreach (WalkingPlayer player in _players)
@@ -146,10 +147,10 @@ internal sealed class Stadium
         Spheres.Move(duration);
     }
 
-    /// <summary>From the nearest surface of what stands still, in closed form; negative inside.</summary>
+    /// <summary>Returns the distance from the nearest standing surface, in closed form; negative inside.</summary>
     public double ToStanding(Vector3d place) => _standing.Distance(place);
 
-    /// <summary>From the nearest surface of what moves, a time after the frame began.</summary>
+    /// <summary>Returns the distance from the nearest moving surface, a time after the frame began.</summary>
     public double ToMoving(Vector3d place, double after)
     {
         double nearest = Spheres.Distance(place, after);
@@ -166,19 +167,19 @@ internal sealed class Stadium
         return nearest;
     }
 
-    /// <summary>Whether a place is outside the boards, or above them.</summary>
+    /// <summary>True if a point is outside the boards, or above them.</summary>
     public static bool IsOutside(Vector3d place) => Math.Abs(place.X) > HalfWidth + Behind || Math.Abs(place.Z) > HalfLength + Behind || place.Y > High;
 
-    /// <summary>Whether a place is in a goal or close to one, where nets take energy from a ball and give it back.</summary>
+    /// <summary>True if a point is in a goal or close to one, where nets absorb and return energy of a ball.</summary>
     public static bool IsInGoal(Vector3d place) => Math.Abs(place.X) < 5 && Math.Abs(place.Z) > HalfLength - 1 && place.Y < 3.5;
 
-    /// <summary>All that moves, to be put there again.</summary>
+    /// <summary>Returns the positions of all moving objects, for a later restore.</summary>
     public Placement Keep() => new(
         [.. _players.Select(player => (player.Place, player.Velocity))],
         [.. _feet.Select((foot, k) => (foot.Position, _turns[k], foot.Velocity, foot.Spin))],
         Spheres.Keep());
 
-    /// <summary>Puts all that moves where it was at a time.</summary>
+    /// <summary>Restores the positions of all moving objects at a time.</summary>
     public void Restore(Placement kept, double time)
     {
         for (int i = 0; i < Players; i++)
@@ -208,7 +209,7 @@ internal sealed class Stadium
         return nearest;
     }
 
-    /// <summary>A player runs to where he wants to be, at 7 m/s² and 8 m/s at most.</summary>
+    /// <summary>Moves a player towards his target, at most at 7 m/s² and 8 m/s.</summary>
     private void Run(int index, bool isNearest, Vector3d ball, double duration)
     {
         WalkingPlayer player = _players[index];
@@ -230,7 +231,7 @@ internal sealed class Stadium
         player.Velocity = velocity.Length < 1e-3 ? Vector3d.Zero : velocity;
     }
 
-    /// <summary>A pass, a cross, a drive, a lob, a shot, a touch.</summary>
+    /// <summary>Draws a pass, a cross, a drive, a lob, a shot or a touch.</summary>
     private (Vector3d Velocity, Vector3d Spin) Kick(int towards, Vector3d ball)
     {
         Vector3d to = new Vector3d(_random.Uniform(-6, 6), 0, towards * HalfLength) - ball.Horizontal;
@@ -255,7 +256,7 @@ internal sealed class Stadium
         return (speed * ((Math.Cos(elevation) * heading) + new Vector3d(0, Math.Sin(elevation), 0)), new Vector3d(top * heading.Z, aside, -top * heading.X));
     }
 
-    /// <summary>Where all that moves was, and how it moved.</summary>
+    /// <summary>The positions and motions of all moving objects.</summary>
     internal sealed record Placement(
         (Vector3d Place, Vector3d Velocity)[] Players,
         (Vector3d Place, Quaterniond Turned, Vector3d Velocity, Vector3d Spin)[] Feet,

@@ -2,22 +2,22 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
+/// <summary>Simulates matches and checks after every step the invariants of any match: each millisecond of the path, energy, look-ahead, rewind, rest.</summary>
 internal sealed class StadiumMatches() : PeopleCases("matches")
 {
-    /// <summary>Energy that grows by more than this share is made.</summary>
+    /// <summary>The largest share by which energy may grow by rounding.</summary>
     private const double EnergyRounding = 1e-8;
 
-    /// <summary>So far, m, contact may put a ball at the end of a piece of its path.</summary>
+    /// <summary>The distance, m, by which contact may move a ball at the end of a piece of its path.</summary>
     private const double PutOn = 2e-6;
 
-    /// <summary>What moves and is farther than this, m, has no part in a step.</summary>
+    /// <summary>Moving objects that are farther than this, m, do not take part in a step.</summary>
     private const double Apart = 2e-3;
 
-    /// <summary>A ball in a net that is slower, m/s, hangs still.</summary>
+    /// <summary>A ball in a net that is slower than this, m/s, hangs still.</summary>
     private const double Hanging = 1e-6;
 
-    /// <summary>So many steps are played again at once.</summary>
+    /// <summary>The number of steps that a rewind replays.</summary>
     private const int RewindLength = 120;
 
     private readonly Trajectory _ahead = new(4096);
@@ -30,12 +30,12 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
 
     public PeopleClaim Squeezes { get; } = new("matches: squeezes", ClaimParts.Count);
 
-    /// <summary>Places on the way.</summary>
+    /// <summary>The positions on the path.</summary>
     public PeopleClaim Inside { get; } = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     public PeopleClaim Left { get; } = new("matches: the ball left the stadium");
 
-    /// <summary>Steps without a body near.</summary>
+    /// <summary>The steps without a body near the ball.</summary>
     public PeopleClaim Made { get; } = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     public PeopleClaim Elsewhere { get; } = new("matches: look-ahead of a step goes elsewhere");
@@ -48,10 +48,10 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
 
     public override PeopleClaim[] Claims => [Kicks, Goals, Squeezes, Inside, Left, Made, Elsewhere, RewoundElsewhere, Hung, Restless];
 
-    /// <summary>Plays a minute of a match.</summary>
+    /// <summary>Simulates a minute of a match.</summary>
     public override void Play(long seed, int index) => Play(seed, index, 60, _ => { });
 
-    /// <summary>Plays one match; every second one with frames from a tenth of a millisecond to a quarter of a second.</summary>
+    /// <summary>Simulates one match; every second one with frames from a tenth of a millisecond to a quarter of a second.</summary>
     public void Play(long seed, int index, double seconds, Action<double> progress)
     {
         var stadium = new Stadium(SeededRandom.Mix(seed, index));
@@ -114,10 +114,10 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         Left.Case(left);
     }
 
-    /// <summary>Each millisecond of a step, against what stands still; and whether the look-ahead ends where the step did.</summary>
+    /// <summary>Compares each millisecond of a step with the standing objects, and checks that the look-ahead ends where the step ended.</summary>
     private void LookAt(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
     {
-        // A piece of the path ends before the ball is put onto what it meets there, or out of what presses it.
+        // A piece of the path ends before contact moves the ball onto an obstacle, or out of an object that presses it.
         Elsewhere.Case((_ahead.PositionAt(after.Time) - after.Position).Length > PutOn, at);
 
         int parts = Math.Max(1, (int)(frame / 0.001));
@@ -130,7 +130,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         }
     }
 
-    /// <summary>A ball with nothing that moves near it, outside the goals, gains nothing.</summary>
+    /// <summary>Checks that a ball without moving objects near it, outside the goals, gains no energy.</summary>
     private void Energy(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
     {
         if (Stadium.IsInGoal(before.Position) || Stadium.IsInGoal(after.Position)
@@ -139,7 +139,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
             return;
         }
 
-        // What presses a squeezed ball is not told touch by touch: it may come and go within the step.
+        // Contacts that squeeze a ball are not reported one by one: an object may come and go within the step.
         for (double since = 0; before.Motion == MotionState.Pinned && since < frame; since += 0.001)
         {
             if (stadium.ToMoving(_ahead.PositionAt(before.Time + since), since) < Stadium.BallRadius + Apart)
@@ -163,7 +163,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         Made.See(made, $"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
     }
 
-    /// <summary>m v²/2 + I ω²/2 + m g′ y, g′ less what the air bears.</summary>
+    /// <summary>Returns m v²/2 + I ω²/2 + m g′ y, with g′ reduced by the buoyancy.</summary>
     private static double Of(Scene scene, in BallState s)
     {
         BallProperties ball = scene.Ball;
@@ -179,7 +179,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
             return false;
         }
 
-        // On the roof of a net, which carries nothing, it hangs still, also against the bar.
+        // On the roof of a net, which supports nothing, the ball hangs still, also against the bar.
         bool hangs = ball.Motion != MotionState.Rest && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
         bool rests = ball.Motion == MotionState.Rest || hangs;
         Hung.Case(hangs);
@@ -187,7 +187,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         return true;
     }
 
-    /// <summary>Steps again what was played, from a snapshot's bytes, all that moves put where it was.</summary>
+    /// <summary>Replays the steps from a snapshot's bytes, with all moving objects at their earlier positions.</summary>
     private void Rewind(Stadium stadium, List<PlayedStep> played, Simulator simulator, FormattableString at)
     {
         BallState first = played[0].Before;

@@ -2,12 +2,12 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Spheres of an engine that lie about a pitch, every second of them on its way.</summary>
+/// <summary>Spheres of an engine that lie about a pitch; every second one moves.</summary>
 internal sealed class StadiumSpheres : IEngineColliders
 {
     private const double Fastest = 6;
 
-    /// <summary>So far, m, from the ends of the pitch they are put.</summary>
+    /// <summary>The distance of the spheres from the ends of the pitch, m.</summary>
     private const double Margin = 4;
     private const double EndMargin = 7;
 
@@ -18,9 +18,9 @@ internal sealed class StadiumSpheres : IEngineColliders
     private readonly Vector3d[] _velocities;
     private readonly Vector3d[] _places;
 
-    /// <summary>Puts spheres on a pitch.</summary>
-    /// <param name="count">How many.</param>
-    /// <param name="random">Where chance comes from.</param>
+    /// <summary>Places spheres on a pitch.</summary>
+    /// <param name="count">The number of spheres.</param>
+    /// <param name="random">The random numbers.</param>
     /// <param name="halfWidth">Half the width of the pitch, m.</param>
     /// <param name="halfLength">Half the length of the pitch, m.</param>
     /// <param name="mass">Mass of each, kg; default infinite.</param>
@@ -64,7 +64,7 @@ internal sealed class StadiumSpheres : IEngineColliders
         }
     }
 
-    /// <summary>On by a frame, and back from the boards.</summary>
+    /// <summary>Moves the spheres by a frame, and reflects them at the boards.</summary>
     public void Move(double duration)
     {
         for (int i = 0; i < _places.Length; i++)
@@ -78,7 +78,7 @@ internal sealed class StadiumSpheres : IEngineColliders
         }
     }
 
-    /// <summary>From the nearest of their surfaces, a time after the frame began.</summary>
+    /// <summary>Returns the distance from the nearest of their surfaces, a time after the frame began.</summary>
     public double Distance(Vector3d place, double after)
     {
         double nearest = double.PositiveInfinity;
@@ -90,7 +90,7 @@ internal sealed class StadiumSpheres : IEngineColliders
         return nearest;
     }
 
-    /// <summary>From the nearest surface of the spheres that never move.</summary>
+    /// <summary>Returns the distance from the nearest surface of the spheres that never move.</summary>
     public double ToStanding(Vector3d place)
     {
         double nearest = double.PositiveInfinity;
@@ -105,10 +105,10 @@ internal sealed class StadiumSpheres : IEngineColliders
     /// <summary>Stops all of them.</summary>
     public void Stop() => Array.Clear(_velocities);
 
-    /// <summary>Where they are and how they move, to be put there again.</summary>
+    /// <summary>Returns their positions and velocities, for a later restore.</summary>
     public (Vector3d[] Places, Vector3d[] Velocities) Keep() => ([.. _places], [.. _velocities]);
 
-    /// <summary>Puts them where they were.</summary>
+    /// <summary>Restores their positions and velocities.</summary>
     public void Restore((Vector3d[] Places, Vector3d[] Velocities) kept)
     {
         kept.Places.CopyTo(_places, 0);

@@ -16,13 +16,13 @@ internal sealed class StandingSolids
         _rods.AddRange([(left, left + up, goal.PostRadius), (right, right + up, goal.PostRadius), (left + up, right + up, goal.PostRadius)]);
     }
 
-    /// <summary>Adds a box along the axes.</summary>
+    /// <summary>Adds an axis-aligned box.</summary>
     public void AddBox(Vector3d center, Vector3d half) => _boxes.Add((center, half));
 
     /// <summary>Adds a capsule.</summary>
     public void AddRod(Vector3d from, Vector3d to, double radius) => _rods.Add((from, to, radius));
 
-    /// <summary>The distance of a point from the nearest surface, the level ground at height 0 included; negative inside.</summary>
+    /// <summary>Returns the distance of a point from the nearest surface, including the level ground at height 0; negative inside.</summary>
     public double Distance(Vector3d point)
     {
         double nearest = point.Y;

@@ -2,19 +2,19 @@ using System.Diagnostics;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Steps balls and keeps what a step took at most: time, memory, events.</summary>
+/// <summary>Steps balls and records the largest cost of a step: time, memory, events.</summary>
 internal sealed class StepMeter
 {
-    /// <summary>More, s, is worth repeating: the machine may have done something else.</summary>
+    /// <summary>A step that takes longer, s, is repeated: another program may have delayed it.</summary>
     private const double Suspicious = 0.0005;
     private const int Repeats = 2;
 
     private readonly StepLog _again = new();
 
-    /// <summary>More than this is too slow, s.</summary>
+    /// <summary>The time limit of a step, s.</summary>
     public const double Longest = 0.001;
 
-    /// <summary>More than this in a step is too many.</summary>
+    /// <summary>The limit of events per step.</summary>
     public const int MostAllowed = 24;
 
     public long Steps { get; private set; }
@@ -22,27 +22,27 @@ internal sealed class StepMeter
     /// <summary>The slowest step, best of three from the same state, s.</summary>
     public double Slowest { get; private set; }
 
-    /// <summary>How many took longer than a millisecond.</summary>
+    /// <summary>The number of steps that took longer than a millisecond.</summary>
     public long Slow { get; private set; }
 
-    /// <summary>Bytes that steps allocated, all together.</summary>
+    /// <summary>The number of bytes that all steps allocated.</summary>
     public long Bytes { get; private set; }
 
     public int MostEvents { get; private set; }
 
-    /// <summary>Right-hand sides that a step evaluated at most: its work, whatever else the machine does.</summary>
+    /// <summary>The largest number of evaluations of the right-hand side in a step: its work, independent of other programs.</summary>
     public long MostEvaluations { get; private set; }
 
-    /// <summary>Where that was.</summary>
+    /// <summary>The step with the most evaluations.</summary>
     public string MostEvaluationsAt { get; private set; } = "";
 
-    /// <summary>Where that was.</summary>
+    /// <summary>The step with the most events.</summary>
     public string MostEventsAt { get; private set; } = "";
 
-    /// <summary>Where the slowest step was.</summary>
+    /// <summary>The slowest step.</summary>
     public string SlowestAt { get; private set; } = "";
 
-    /// <summary>One step.</summary>
+    /// <summary>Runs one step.</summary>
     public void Step(Ball ball, double duration, FormattableString at)
     {
         BallState start = ball.State;

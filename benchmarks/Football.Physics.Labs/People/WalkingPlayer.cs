@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.People;
 
-/// <summary>A footballer as a game has one: a capsule on the ground, in a scene of his own.</summary>
+/// <summary>A footballer as a capsule on the ground, in a scene of his own.</summary>
 internal sealed class WalkingPlayer
 {
     public const double Radius = 0.25;
@@ -10,19 +10,19 @@ internal sealed class WalkingPlayer
     public WalkingPlayer(KinematicBodies bodies, string name, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity) =>
         _body = bodies.Add(name, new CapsuleShape(new Vector3d(0, Radius, 0), new Vector3d(0, Top, 0), Radius), surface ?? SurfaceMaterial.Boot, mass);
 
-    /// <summary>On the ground, m.</summary>
+    /// <summary>The position on the ground, m.</summary>
     public Vector3d Place { get; set; }
 
-    /// <summary>Along the ground, m/s.</summary>
+    /// <summary>The velocity along the ground, m/s.</summary>
     public Vector3d Velocity { get; set; }
 
-    /// <summary>Where the ball's next step is to find him.</summary>
+    /// <summary>Sets the body for the ball's next step.</summary>
     public void Put(double time) => _body.MoveTo(Place, Velocity, time);
 
-    /// <summary>On by a frame.</summary>
+    /// <summary>Moves him by a frame.</summary>
     public void Walk(double duration) => Place += duration * Velocity;
 
-    /// <summary>From his surface, a time after the frame began; negative inside.</summary>
+    /// <summary>Returns the distance from his surface, a time after the frame began; negative inside.</summary>
     public double Distance(Vector3d place, double after)
     {
         Vector3d foot = Place + (after * Velocity);
