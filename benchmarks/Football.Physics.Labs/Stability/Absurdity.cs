@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>How many decades a scene lies outside the numbers of ordinary balls, grounds and kicks.</summary>
+/// <summary>Measures by how many decades a scene lies outside the numbers of ordinary balls, grounds and kicks.</summary>
 internal static class Absurdity
 {
     public static double Of(StressScene scene)
@@ -25,7 +25,7 @@ internal static class Absurdity
         return decades;
     }
 
-    /// <summary>Decades by which a size lies outside a range; nothing at all is never absurd.</summary>
+    /// <summary>Returns the decades by which a value lies outside a range; 0 is always ordinary.</summary>
     public static double Outside(double value, double low, double high)
     {
         double size = Math.Abs(value);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>What the air of a scene can do to its ball at most, from the equations of its laws.</summary>
+/// <summary>Bounds of the air's effect on a scene's ball, from the equations of its laws.</summary>
 /// <remarks>
 /// With k = ½ρA/m, s = r|ω|, Sp = s/|u|: drag is −k C_D |u| u, the Magnus force k C_L |u| (ω̂ × u) or, with a constant coefficient, 2 k C_M s (ω̂ × u).
 /// A force f(|u|) along û has the slope f′ and the curvature f″; one across it is turned by as much and stretches by half of |u| (f/|u|)′.
@@ -12,10 +12,10 @@ internal sealed class AirBounds
     /// <summary>C_D0, the largest coefficient without spin.</summary>
     private const double AtRest = 0.501;
 
-    /// <summary>(C_D0 − C_D)/(C_D0 − a) at most: 1, but a little more where the regularised law mixes in a C_D with spin below a.</summary>
+    /// <summary>The maximum of (C_D0 − C_D)/(C_D0 − a): 1, plus a little for the regularised law, which mixes in a C_D with spin below a.</summary>
     private const double LargestDeficit = 1.0001;
 
-    /// <summary>Between these speeds, m/s, the coefficients change by the drag crisis.</summary>
+    /// <summary>Between these speeds, m/s, the drag crisis changes the coefficients.</summary>
     private const double CrisisFrom = 8;
     private const double CrisisTo = 18;
 
@@ -49,23 +49,23 @@ internal sealed class AirBounds
         };
     }
 
-    /// <summary>Whether the share of its spin that a ball loses in a time is the same at every speed and spin.</summary>
+    /// <summary>True if the share of spin that a ball loses per time is the same at every speed and spin.</summary>
     public bool SpinDecaysEvenly => _forces.SpinDecay != ForceLaw.Empirical;
 
-    /// <summary>How fast a ball loses its spin, at most, as a share, 1/s.</summary>
+    /// <summary>Returns the highest rate of spin loss, as a share, 1/s.</summary>
     /// <param name="fast">Highest air speed, m/s.</param>
     /// <param name="slowSurface">Lowest s = r|ω|, m/s.</param>
     /// <param name="fastSurface">Highest s, m/s.</param>
     public double SpinDecay(double fast, double slowSurface, double fastSurface) =>
         SpinDecaysEvenly || !(_spinDecay > 0 && fastSurface > 0) ? _spinDecay : _spinDecay * Math.Pow(fast + (0.5 * fastSurface), 1.8) * _radius / slowSurface;
 
-    /// <summary>|A| at most, m/s².</summary>
+    /// <summary>Returns the maximum of |A|, m/s².</summary>
     /// <param name="speed">Highest air speed, m/s.</param>
     /// <param name="surface">Highest s, m/s.</param>
     public double Size(double speed, double surface) =>
         _forces.Coefficients == AerodynamicModel.Measured ? MeasuredSize(speed, surface) : Over(speed, speed, surface, surface).Size;
 
-    /// <summary>The same by the measured laws: C_D grows with the Reynolds number without end, C_L is 0.32 at most.</summary>
+    /// <summary>Returns the maximum by the measured laws: C_D grows with the Reynolds number without limit, C_L is 0.32 at most.</summary>
     private double MeasuredSize(double speed, double surface)
     {
         double beyond = Math.Max(0, (_perSpeed * speed) - _curve.RiseFrom) * (_curve.Risen - _curve.Supercritical) / (_curve.RiseTo - _curve.RiseFrom);
@@ -84,7 +84,7 @@ internal sealed class AirBounds
         return _scale * ((drag * speed * speed) + lift);
     }
 
-    /// <summary>The bounds over a range of speeds and spins.</summary>
+    /// <summary>Returns the bounds over a range of speeds and spins.</summary>
     /// <param name="slow">Lowest air speed, m/s.</param>
     /// <param name="fast">Highest air speed, m/s.</param>
     /// <param name="slowSurface">Lowest s, m/s.</param>
@@ -135,13 +135,13 @@ internal sealed class AirBounds
 
         if (_forces.Magnus == ForceLaw.Constant)
         {
-            // f = 2 C_M s u: a turn of the velocity by the same rate wherever it is.
+            // f = 2 C_M s u: it turns every velocity at the same rate.
             double rate = 2 * Math.Abs(_forces.MagnusCoefficient) * s;
             return new AirBound(rate * fast, rate, 0, 0, rate * fast);
         }
 
-        // f = 1.15 s^0.83 u^1.17 D with the deficit D = (C_D0 − C_D)/(C_D0 − a): without spin 1/(1 + exp((v_c − u)/1.309)), which grows with u;
-        // with spin (beyond the critical speed alone) |u D′| = d c Sp^d/(C_D0 − a) ≤ 0.45, and u² |D″| ≤ 0.6.
+        // f = 1.15 s^0.83 u^1.17 D with the deficit D = (C_D0 − C_D)/(C_D0 − a). Without spin D is 1/(1 + exp((v_c − u)/1.309)), which grows with u. With spin, and only
+        // beyond the critical speed, |u D′| = d c Sp^d/(C_D0 − a) ≤ 0.45, and u² |D″| ≤ 0.6.
         bool crisis = fast > CrisisFrom && slow < CrisisTo;
         double deficit = fast < CriticalSpeed ? Logistic((fast - CriticalSpeed) / 1.309) : LargestDeficit;
         double change = fast < CrisisFrom ? 6.2 * deficit : crisis ? 2.4 : 0.45;
@@ -149,7 +149,7 @@ internal sealed class AirBounds
         double perSpin = fast < CrisisFrom ? 0 : 0.45;
         if (_regularised)
         {
-            // The weight's: u w′ |C₁ − C₀|/(C_D0 − a).
+            // The share of the weight: u w′ |C₁ − C₀|/(C_D0 − a).
             deficit = Math.Min(LargestDeficit, deficit + Logistic((fast - CriticalSpeed) / 0.25));
             change += crisis ? 16 : fast < CrisisFrom ? 1e-5 : 0.4;
             bend += crisis ? 330 : fast < CrisisFrom ? 1e-3 : 3;
@@ -159,7 +159,7 @@ internal sealed class AirBounds
         double lift = 1.15 * Math.Pow(s, 0.83) * Math.Pow(fast, 0.17);
         double atSlow = 1.15 * Math.Pow(Share(s, slow), 0.83);
 
-        // Where C_D reaches C_D0 the lift ends in a kink, which no curvature bounds: with spin at Sp = 1.886, and later the less of that law is mixed in.
+        // Where C_D reaches C_D0 the lift has a kink of unbounded curvature: with spin at Sp = 1.886, and later if less of that law is mixed in.
         bool kink = fast > CrisisFrom && s > 1.8 * slow && (_regularised || slowSurface < 1.95 * fast);
         return new AirBound(
             lift * fast * deficit,
@@ -169,7 +169,7 @@ internal sealed class AirBounds
             lift * fast * ((0.83 * deficit) + perSpin));
     }
 
-    /// <summary>Sp at most; without spin 0 even at rest.</summary>
+    /// <summary>Returns the maximum of Sp; 0 without spin, even at rest.</summary>
     private static double Share(double surface, double slow) => surface > 0 ? surface / slow : 0;
 
     private static double Logistic(double x) => 1 / (1 + Math.Exp(-x));

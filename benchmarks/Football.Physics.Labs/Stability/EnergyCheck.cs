@@ -3,23 +3,23 @@ using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>Says of a frame, from the states before and after it, how much energy the ball gained and how much the method can have made.</summary>
-/// <remarks>A frame that gains more than rounding is stepped again from the state before it, to see its pieces: the bound is the sum of theirs.</remarks>
+/// <summary>Computes the energy that the ball gained in a frame, and the most that the method can have created, from the states before and after it.</summary>
+/// <remarks>A frame that gains more than rounding is stepped again from the state before it, to observe its pieces. The bound is the sum of their bounds.</remarks>
 internal sealed class EnergyCheck : PieceObserver
 {
     /// <summary>Rounding of a sum, as a share.</summary>
     private const double Rounding = 2.3e-16;
 
-    /// <summary>How close to contact height contact is found, m.</summary>
+    /// <summary>The tolerance in height with which contact is found, m.</summary>
     private const double Touching = 1e-14;
 
-    /// <summary>How closely the time of contact is bracketed, as a share of the step.</summary>
+    /// <summary>The tolerance in time with which contact is bracketed, as a share of the step.</summary>
     private const double Bracket = 1e-15;
 
-    /// <summary>The last correction of its time, s, is linear if it is shorter than this.</summary>
+    /// <summary>The last correction of the contact time, s, is linear if it is shorter than this.</summary>
     private const double LinearCorrection = 1e-6;
 
-    /// <summary>Slip that is left, m/s, when a ball is taken to roll.</summary>
+    /// <summary>The slip that remains, m/s, when a ball is taken to roll.</summary>
     private const double LastSlip = 1e-9;
 
     private readonly Scene _scene;
@@ -43,9 +43,9 @@ internal sealed class EnergyCheck : PieceObserver
     private double _corrected;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="settings">Its method.</param>
+    /// <param name="settings">The settings of its method.</param>
     /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
-    /// <param name="simulator">What steps it.</param>
+    /// <param name="simulator">Its simulator.</param>
     public EnergyCheck(Scene scene, SolverSettings settings, double upward, Simulator simulator)
     {
         _scene = scene;
@@ -69,14 +69,14 @@ internal sealed class EnergyCheck : PieceObserver
     public Vector3d Wind => _scene.Air.Wind;
 
     /// <summary>Judges a frame.</summary>
-    /// <param name="before">The ball before it.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="after">The ball after it.</param>
-    /// <param name="events">What happened in it.</param>
-    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic does not see the end of a slip.</returns>
+    /// <param name="before">The ball before the frame.</param>
+    /// <param name="dt">The length of the frame, s.</param>
+    /// <param name="after">The ball after the frame.</param>
+    /// <param name="events">The events of the frame.</param>
+    /// <returns>Null if nothing is guaranteed: if wind pushes a ball on the ground, or if the heuristic does not detect the end of a slip.</returns>
     public FrameEnergy? Of(in BallState before, double dt, in BallState after, ReadOnlySpan<BallEvent> events)
     {
-        // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
+        // In the frame of the wind, air that presses a ball against the ground does work on it.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
             && !(_windy && after.Position.Y <= _simulator.ContactHeight + Touching);
         if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Slides(events)))))
@@ -95,7 +95,7 @@ internal sealed class EnergyCheck : PieceObserver
         return new FrameEnergy(gained, _made, OfContact(in before, events, dt) + (_log.Steps > 1 ? _corrected : 0), rounding * (1 + _log.Steps));
     }
 
-    /// <summary>A piece of the frame that is stepped again.</summary>
+    /// <summary>Adds a piece of the frame that is stepped again.</summary>
     public override bool Add(in PathSegment piece)
     {
         ReadOnlySpan<BallEvent> events = _log.Events.Span;
@@ -105,7 +105,7 @@ internal sealed class EnergyCheck : PieceObserver
             _slowSurface = _fastSurface = _radius * events[^1].Spin.Length;
         }
 
-        // The length is what the clock says, which is rounded at both ends.
+        // The clock gives the length, and rounds it at both ends.
         double length = piece.Length + (2 * Rounding * piece.EndTime);
         if (piece.Motion == MotionState.Airborne)
         {
@@ -116,7 +116,7 @@ internal sealed class EnergyCheck : PieceObserver
         }
         else
         {
-            // Friction may turn a sliding ball the faster, by r ω̇ = μ g/α; a rolling one has the spin of its speed, and inertia of it too.
+            // Friction may speed up the spin of a sliding ball, by r ω̇ = μ g/α. A rolling ball has the spin of its speed, and the corresponding inertia.
             double speed = piece.StartVelocity.Length;
             bool rolls = piece.Motion == MotionState.Rolling;
             double faster = _scene.Ground.Material.SlidingFriction * Math.Abs(_upward) / _inertiaFactor * length;
@@ -133,7 +133,7 @@ internal sealed class EnergyCheck : PieceObserver
         return false;
     }
 
-    /// <summary>What a piece may make, J/kg: without the drag of a real ball a part of a divided step may have been taken by RK4.</summary>
+    /// <summary>Returns the most energy that a piece may create, J/kg. Without the drag of a real ball, RK4 may have taken a part of a divided step.</summary>
     private double Method(double length, double g, double speed, double damping)
     {
         double made = _method.Of(length, g, speed, _slowSurface, _fastSurface, damping);
@@ -152,7 +152,10 @@ internal sealed class EnergyCheck : PieceObserver
         _simulator.Step(ref state, dt, _log);
     }
 
-    /// <summary>What finding an event can make, J: the weight times the height by which contact is missed, or the end of the slip; or a slip so slow that the ball rolls.</summary>
+    /// <summary>
+    /// Returns the most energy that finding an event can create, J: the weight times the height by which contact is missed, the end of the slip, or a slip so
+    /// slow that the ball rolls.
+    /// </summary>
     private double OfContact(in BallState before, ReadOnlySpan<BallEvent> events, double dt)
     {
         double slip = before.Motion == MotionState.Rolling ? Slip.Of(before.Velocity, before.Spin, Vector3d.Up, _radius).Length : 0;
@@ -168,7 +171,7 @@ internal sealed class EnergyCheck : PieceObserver
         return made;
     }
 
-    /// <summary>What rounding can make, J: of the speeds, the spin and the height, which are sums.</summary>
+    /// <summary>Returns the most energy that rounding can create, J: from the speeds, the spin and the height, which are sums.</summary>
     private double OfRounding(in BallState before, double dt, in BallState after)
     {
         double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_upward) * dt);
@@ -177,19 +180,19 @@ internal sealed class EnergyCheck : PieceObserver
         return 8 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
     }
 
-    /// <summary>½ m u² + m g y as one sees it who goes with the wind, J: the air cannot make any, and spin has no way into it.</summary>
+    /// <summary>Returns ½ m u² + m g y in the frame of the wind, J: the air cannot increase it, and spin energy cannot enter it.</summary>
     private double InFlight(in BallState s, double time)
     {
         double climb = s.Position.Y - _simulator.ContactHeight - (Wind.Y * time);
         return (0.5 * _mass * (s.Velocity - Wind).LengthSquared) - (_mass * _upward * climb);
     }
 
-    /// <summary>½ m v² + ½ I ω² + m g y, J.</summary>
+    /// <summary>Returns ½ m v² + ½ I ω² + m g y, J.</summary>
     public double Total(in BallState s) =>
         (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
         - (_mass * _upward * (s.Position.Y - _simulator.ContactHeight));
 
-    /// <summary>Whether the ball has begun to slide, or has ended it.</summary>
+    /// <summary>True if the ball has started or ended a slide.</summary>
     private static bool Slides(ReadOnlySpan<BallEvent> events)
     {
         foreach (ref readonly BallEvent item in events)

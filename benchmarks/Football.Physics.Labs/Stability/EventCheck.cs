@@ -2,7 +2,7 @@ using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>What must hold of the events of every frame.</summary>
+/// <summary>The invariants of the events of every frame.</summary>
 internal static class EventCheck
 {
     public static void Events(StressFrame frame)
@@ -46,14 +46,14 @@ internal static class EventCheck
         }
     }
 
-    /// <summary>At one instant a ball bounces, slides, rolls and rests, in this order.</summary>
+    /// <summary>Checks that the events of one instant are in the order: bounce, slide, roll, rest.</summary>
     public static void Kinds(StressFrame frame)
     {
         double lastTime = frame.Before.Time;
         BallEventKind? lastKind = null;
         foreach (ref readonly BallEvent item in frame.Log.Events)
         {
-            // After all impacts that a step may have the ball stays on what it hits, and is hit there again.
+            // After the limit of impacts per step the ball stays on the object, and hits it there again.
             bool spent = frame.Log.Events.Count > StepRun.MostImpacts;
             if (item.Time == lastTime && item.Kind < lastKind && lastKind != BallEventKind.Rest && !spent)
             {
@@ -66,12 +66,12 @@ internal static class EventCheck
         }
     }
 
-    /// <summary>No event is farther from the one before than a ball can go.</summary>
+    /// <summary>Checks that no event is farther from the one before than a ball can move.</summary>
     public static void Ways(StressFrame frame)
     {
         StressScene scene = frame.Scene;
 
-        // Nothing bounds the speed of a ball that a wind lifts as hard as its spin allows.
+        // The speed of a ball is unbounded if a wind lifts it in proportion to its spin.
         if (scene.HasOwnForces || (scene.Windy && scene.Scene.Forces.Magnus == ForceLaw.Constant) || scene.Settings.RollingTransition != RollingTransition.Exact)
         {
             return;
@@ -81,8 +81,8 @@ internal static class EventCheck
         Vector3d lastPlace = frame.Before.Position;
         foreach (ref readonly BallEvent item in frame.Log.Events)
         {
-            // Three times as far as the fastest of the frame, or as a spin can make it, and what gravity adds; a wind that presses the ball down lifts it sideways, for a while far faster.
-            // The clock is as coarse as its last bit.
+            // The limit is three times the distance at the fastest speed of the frame, or at the surface speed of the spin, plus the share of gravity. A wind that
+            // presses the ball down lifts it sideways, for a while far faster. The clock has the resolution of its last bit.
             double time = item.Time - lastTime + (2 * StressFrame.Ulp(item.Time));
             double way = (item.Position - lastPlace).Horizontal.Length;
             double surface = scene.Scene.Ball.Radius * Math.Max(frame.Before.Spin.Length, item.SpinBefore.Length);
@@ -98,7 +98,7 @@ internal static class EventCheck
         }
     }
 
-    /// <summary>A hop has a length, and a ball slides, rolls and rests once.</summary>
+    /// <summary>Checks that a hop has a length, and that a ball slides, rolls and rests once.</summary>
     public static void Hops(StressFrame frame)
     {
         double notBefore = frame.Before.Time;
@@ -121,7 +121,7 @@ internal static class EventCheck
             rise = item.Velocity.Y;
         }
 
-        // A ball that is heavier than the air slides, rolls and rests once, if no lift takes it off the ground again; the air alone moves one without weight.
+        // A ball that is heavier than the air slides, rolls and rests once, if no lift takes it off the ground again. The air alone moves a weightless ball.
         bool leaves = frame.Scene.Scene.Ground.Aerodynamics == GroundAerodynamics.Full;
         if (others > 3 && frame.Scene.Upward < 0 && !leaves)
         {
@@ -129,19 +129,19 @@ internal static class EventCheck
         }
     }
 
-    /// <summary>The shortest length of a hop: 2 v/a with the largest downward acceleration; semi-implicit Euler, which falls before it rises, half as long.</summary>
+    /// <summary>Returns the shortest duration of a hop: 2 v/a with the largest downward acceleration. It is half as long for semi-implicit Euler, which falls before it rises.</summary>
     private static double ShortestHop(StressFrame frame, in BallEvent impact)
     {
         Scene scene = frame.Scene.Scene;
         SolverSettings settings = frame.Scene.Settings;
 
-        // One that rises more slowly than the least bounce stays down, and lift may take it off the ground again at any time: that is no hop.
+        // A ball that rises more slowly than the minimum bounce speed stays down, and lift may take it off the ground again at any time: that is not a hop.
         if (impact.Velocity.Y < scene.Ground.MinimumBounceSpeed)
         {
             return 0;
         }
 
-        // Forward again as fast as it came, and explicit Euler a little faster.
+        // The ball moves as fast as before, with explicit Euler a little faster.
         double speed = 1.5 * (impact.Velocity - scene.Air.Wind).Length;
         double down = Math.Max(0, -frame.Scene.Upward) + frame.Air.Size(speed, scene.Ball.Radius * impact.Spin.Length);
         double tolerance = settings.CollisionTiming == CollisionTiming.Bisection ? 2 * settings.CollisionTolerance : 1e-12;
@@ -161,7 +161,7 @@ internal static class EventCheck
     {
         SolverSettings settings = frame.Scene.Settings;
 
-        // So late or early contact may be found, and the speeds are rounded.
+        // Contact may be found late or early by this much, and the speeds are rounded.
         double late = settings.CollisionTiming == CollisionTiming.Bisection ? 2 * settings.CollisionTolerance : 1e-15 * frame.Length;
         double pull = Math.Max(Math.Abs(frame.Scene.Upward), frame.Scene.HasOwnForces ? 2 * frame.Fastest / frame.Length : 0);
         if (item.VelocityBefore.Y > (late * pull) + (1e-15 * frame.Fastest))
@@ -190,7 +190,7 @@ internal static class EventCheck
         }
     }
 
-    /// <summary>The law of impact once more, from its equations; what comes no closer gets no impulse.</summary>
+    /// <summary>Applies the law of impact again, from its equations. A ball that does not approach gets no impulse.</summary>
     private static void Law(Scene scene, Vector3d v, Vector3d w, out Vector3d velocity, out Vector3d spin)
     {
         if (!(v.Y < 0))

@@ -3,16 +3,16 @@ namespace FootballPhysics.Labs.Stability;
 /// <summary>A claim that does not hold in a scene.</summary>
 /// <param name="Check">The claim.</param>
 /// <param name="Detail">Numbers.</param>
-/// <param name="Size">How far it is missed, in the unit of the claim.</param>
-/// <param name="Absurdity">How many decades the scene is outside ordinary numbers.</param>
+/// <param name="Size">The size of the violation, in the unit of the claim.</param>
+/// <param name="Absurdity">The number of decades by which the scene is outside ordinary numbers.</param>
 internal sealed record Finding(string Check, string Detail, double Size = 1, double Absurdity = 0);
 
-/// <summary>Findings of many scenes by kind: how often, where it is worst, and the tamest scene with it.</summary>
+/// <summary>Findings of many scenes by kind: their number, the worst size, and the most ordinary scene.</summary>
 internal sealed class Findings
 {
     private readonly SortedDictionary<string, (long Count, (long Scene, Finding Found) Worst, (long Scene, Finding Found) Tamest)> _kinds = new(StringComparer.Ordinal);
 
-    /// <summary>How many kinds there are.</summary>
+    /// <summary>The number of kinds.</summary>
     public int Kinds => _kinds.Count;
 
     /// <summary>Adds a finding. The order of the calls does not matter: of two equal findings the scene with the lower number remains.</summary>
@@ -29,7 +29,7 @@ internal sealed class Findings
         _kinds[kind] = (known.Count + 1, worse ? (scene, found) : known.Worst, tamer ? (scene, found) : known.Tamest);
     }
 
-    /// <summary>A row per kind.</summary>
+    /// <summary>Returns a table with a row per kind.</summary>
     public LabTable Table(string name, string first)
     {
         var table = new LabTable(name, first, "times", "worst", "scene", "detail", "tamest, decades", "its scene", "its detail");

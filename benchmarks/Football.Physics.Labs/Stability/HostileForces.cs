@@ -1,9 +1,9 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>Forces of a game's own, of any strength.</summary>
+/// <summary>Custom forces of any strength.</summary>
 internal static class HostileForces
 {
-    /// <summary>One of four, each drawn whether it is taken or not.</summary>
+    /// <summary>Returns one of four forces; all are drawn, so that the random sequence does not depend on the choice.</summary>
     public static IForce Draw(HostileRandom random, double groundHeight) => random.Any<IForce>(
         new Spring(
             random.Log(1e-3, 1e3),

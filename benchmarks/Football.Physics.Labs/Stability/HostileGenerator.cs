@@ -9,17 +9,17 @@ internal static class HostileGenerator
     private const double CriticalSpin = 0.05;
     private const double Farthest = 1e6;
 
-    /// <summary>The scene with a number.</summary>
+    /// <summary>Returns the scene with a number.</summary>
     public static StressScene Make(ulong number)
     {
-        // One random sequence: the order of the draws is the scene.
+        // One random sequence: the order of the draws determines the scene.
         var random = new HostileRandom(number);
         int kind = random.Below(16);
         BallProperties ball = Ball(random);
         double gravity = random.Any(9.81, 9.81, 0, 1e-6, 300, random.Log(1e-6, 300), 1.62);
         Air air = AnyAir(random);
 
-        // It holds some of the air that it displaces.
+        // The ball contains some of the air that it displaces.
         double volume = Buoyancy.DisplacedMass(ball, new Air { Density = 1 });
         ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * volume * air.Density)) };
         air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / volume) };
@@ -143,12 +143,12 @@ internal static class HostileGenerator
                 up = random.Uniform(0, 30);
                 break;
             case 2:
-                // Along the surface of the critical speed: level flight at it.
+                // Level flight at the critical speed.
                 velocity = (CriticalSpeed * random.Any(1, 1 + 1e-12, 1 - 1e-9, 1 + 1e-6) * random.Heading()) + air.Wind;
                 up = random.Uniform(0, 20);
                 break;
             case 3:
-                // On the ground, at and around the least speed of a bounce.
+                // On the ground, at and around the minimum bounce speed.
                 up = 0;
                 velocity = new Vector3d(
                     velocity.X, random.Any(threshold, -threshold, 0, 1e-100, -1e-100, threshold * (1 - 1e-16), -threshold * (1 - 1e-15)), velocity.Z);

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>The random numbers of the hostile scenes. The scenes are a function of them: their order and their bits must not change.</summary>
+/// <summary>The random numbers of the hostile scenes. The scenes depend on their order and their bits, so neither may change.</summary>
 internal sealed class HostileRandom(ulong seed) : SeededRandom(Start(seed))
 {
     public override double Log(double low, double high) => Math.Exp(Uniform(Math.Log(low), Math.Log(high)));

@@ -2,24 +2,24 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>Scenes of the stress matrix by the measured laws: one of the balls, and ground with friction of impacts, drilling friction and all of the air's force.</summary>
+/// <summary>Scenes of the stress matrix with the measured laws: one of the balls, and ground with impact friction, drilling friction and the complete air force.</summary>
 internal static class MeasuredStress
 {
-    /// <summary>The drag curves, by the names that scenarios have for their balls.</summary>
+    /// <summary>The drag curves, by the names that scenarios use for their balls.</summary>
     public static IReadOnlyList<(string Type, DragCurve Curve)> Curves { get; } =
     [
         ("generic", DragCurve.Generic), ("tango12", DragCurve.Tango12), ("teamgeist", DragCurve.Teamgeist), ("jabulani", DragCurve.Jabulani),
         ("brazuca", DragCurve.Brazuca),
     ];
 
-    /// <summary>The same shot in a scene of the measured profile.</summary>
+    /// <summary>Returns the same shot in a scene of the measured profile.</summary>
     public static StressScene Of(StressScene scene, long seed, long index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, ~index));
         Ground ground = scene.Scene.Ground;
         if (scene.Kind != StressKind.ComesToRest)
         {
-            // Where rest is promised, it is by the numbers that the promise is made of.
+            // If rest is guaranteed, keep the numbers that the guarantee depends on.
             ground = ground with
             {
                 Material = ground.Material with

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>How much energy a method makes, at most, in one piece of motion through still air: its own error, and nothing else.</summary>
+/// <summary>Bounds the energy that a method creates in one piece of motion through still air: its own error only.</summary>
 /// <remarks>
 /// <para>
 /// The energy of a ball in the air, E/m = ½ v² + g y, is quadratic, so a Runge–Kutta method with weights b and coefficients a changes it by exactly
@@ -9,29 +9,29 @@ namespace FootballPhysics.Labs.Stability;
 /// ΔE/m = h Σ bᵢ Vᵢ·Aᵢ − ½ h² Σ mᵢⱼ aᵢ·aⱼ,   mᵢⱼ = bᵢ aᵢⱼ + bⱼ aⱼᵢ − bᵢ bⱼ,   aᵢ = −g ŷ + Aᵢ,
 /// </para>
 /// <para>
-/// Vᵢ being the velocities of the stages and Aᵢ what the air does there. Drag takes, the Magnus force does no work: the first sum is never positive.
-/// What is left is what the method may make, and the second sum of each method, with d = A₂ − A₁:
+/// with the velocities Vᵢ of the stages and the air's accelerations Aᵢ there. Drag takes energy and the Magnus force does no work: the first sum is
+/// never positive. The second sum bounds the energy that the method may create. With d = A₂ − A₁ it is for each method:
 /// </para>
 /// <para>Euler: ½ h² a₁².</para>
 /// <para>Semi-implicit Euler, whose height moves with the new velocity: ½ h² (A₁² − g²).</para>
 /// <para>Midpoint: ½ h² a₂·d = ½ h² (a₁·d + d²).</para>
 /// <para>Classical Runge–Kutta, with q = A₃ − A₂ and e = A₄ − 2 A₃ + A₁: ½ h² (−d·q/3 − (2q² + q·e − e²/4)/9) ≤ ½ h² (−d·q/3 + e²/24).</para>
 /// <para>
-/// The differences are those of the stages' velocities, which differ by h times accelerations, times J = ∂A/∂u; where they meet as x·(J x) only the
-/// part of J counts that stretches. On the ground g does not act, and friction takes more than it can make: a piece is shorter than it takes to stop the slip.
+/// The differences d, q and e are J = ∂A/∂u times the differences of the stages' velocities, which are h times accelerations. In a product x·(J x) only
+/// the part of J that stretches counts. On the ground g does not act, and friction takes more energy than it can create: a piece is too short to stop the slip.
 /// </para>
 /// </remarks>
 internal sealed class MethodError(Integrator method, Scene scene)
 {
     private readonly AirBounds _air = new(scene);
 
-    /// <summary>ΔE/m at most, J/kg.</summary>
+    /// <summary>Returns the maximum of ΔE/m, J/kg.</summary>
     /// <param name="h">Length of the piece, s.</param>
-    /// <param name="g">Acceleration that is not the air's, m/s².</param>
+    /// <param name="g">Acceleration other than the air's, m/s².</param>
     /// <param name="speed">Air speed at its start, m/s.</param>
     /// <param name="slowSurface">Lowest s = r|ω| at its start, m/s.</param>
     /// <param name="fastSurface">Highest s at its start, m/s.</param>
-    /// <param name="damping">What else takes from the spin, 1/s.</param>
+    /// <param name="damping">Other damping of the spin, 1/s.</param>
     public double Of(double h, double g, double speed, double slowSurface, double fastSurface, double damping)
     {
         // |a₁| ≤ g + |A₁|, and so on from stage to stage.
@@ -52,7 +52,7 @@ internal sealed class MethodError(Integrator method, Scene scene)
             case Integrator.Rk2:
                 Changes(h, speed, second, slowSurface, fastSurface, damping, out AirBound air, out double loss, out _);
 
-                // d = ½ h J a₁, and as much as half the spin's loss changes the lift
+                // d = ½ h J a₁, plus the change of the lift by half the loss of spin
                 double byLoss = 0.5 * loss * air.BySpin;
                 double d = (0.5 * h * air.Slope * a) + byLoss;
                 return 0.5 * h * h * ((0.5 * h * air.Stretch * a * a) + (a * byLoss) + (d * d));
@@ -63,10 +63,10 @@ internal sealed class MethodError(Integrator method, Scene scene)
         }
     }
 
-    /// <summary>ΔE/m at most, J/kg, by the correction of the end of a piece that an event ends: up to t with the acceleration extrapolated from its start.</summary>
+    /// <summary>Returns the maximum of ΔE/m, J/kg, for the correction at the end of a piece that an event ends: up to t with the acceleration extrapolated from its start.</summary>
     /// <param name="t">Longest correction, s.</param>
     /// <param name="h">Length of the piece, s.</param>
-    /// <param name="g">Acceleration that is not the air's, m/s².</param>
+    /// <param name="g">Acceleration other than the air's, m/s².</param>
     /// <param name="speed">Air speed at its start, m/s.</param>
     /// <param name="slowSurface">Lowest s = r|ω| at its start, m/s.</param>
     /// <param name="fastSurface">Highest s at its start, m/s.</param>
@@ -74,11 +74,11 @@ internal sealed class MethodError(Integrator method, Scene scene)
     {
         if (method is Integrator.Euler or Integrator.SemiImplicitEuler || !(h > 0))
         {
-            // Their acceleration is the same all along.
+            // These methods have a constant acceleration within the piece.
             return 0;
         }
 
-        // 2 (v₁ − v₀)/h − a₀ is off by h² a″/6 and what the method is off: with a″ = J² a and more, by less than half of h² ‖J‖² |a|.
+        // 2 (v₁ − v₀)/h − a₀ is off by h² a″/6 plus the error of the method. With a″ = J² a and more, that is less than half of h² ‖J‖² |a|.
         double a = g + _air.Size(speed, fastSurface);
         double fastest = speed + (h * a);
         Changes(h, speed, fastest, slowSurface, fastSurface, 0, out AirBound air, out double loss, out _);
@@ -86,7 +86,7 @@ internal sealed class MethodError(Integrator method, Scene scene)
         return 0.5 * change * fastest * t;
     }
 
-    /// <summary>How much of s = r|ω| the air takes in a piece, at most, m/s.</summary>
+    /// <summary>Returns the most that the air takes from s = r|ω| in a piece, m/s.</summary>
     /// <param name="h">Length of the piece, s.</param>
     /// <param name="fast">Highest air speed, m/s.</param>
     /// <param name="surface">Highest s, m/s.</param>
@@ -100,18 +100,18 @@ internal sealed class MethodError(Integrator method, Scene scene)
         Changes(h, speed, fastest, slowSurface, fastSurface, damping, out AirBound air, out double loss, out double unevenness);
         double z = h * air.Slope;
 
-        // d = ½ h J a₁, q = ½ h J d, both and what the loss of spin adds
+        // d = ½ h J a₁, q = ½ h J d, both plus the contribution of the loss of spin
         double d = 0.5 * ((z * a) + (loss * air.BySpin));
         double byLoss = 0.5 * loss * unevenness * air.BySpin;
         double q = (0.5 * z * d) + byLoss;
 
-        // e = h J (a₃ − a₂) + half the curvature times (h a₃)² + 2 (½ h a₂)², or as much as both differences at most
+        // e = h J (a₃ − a₂) + half the curvature times (h a₃)² + 2 (½ h a₂)², or the sum of both differences at most
         double uneven = air.BySpin * loss * (unevenness + loss + z);
         double e = Math.Min((z * q) + (0.75 * air.Curvature * h * h * most * most), 2 * z * most) + uneven;
         return 0.5 * h * h * ((((0.5 * h * air.Stretch * d * d) + (d * byLoss)) / 3) + (e * e / 24));
     }
 
-    /// <summary>The air between a speed at the start and the fastest stage, the share of the spin that is lost, and the share by which that loss itself changes.</summary>
+    /// <summary>Computes the bounds of the air between the start speed and the fastest stage, the lost share of the spin, and the relative change of that loss.</summary>
     private void Changes(
         double h, double speed, double fastest, double slowSurface, double fastSurface, double damping, out AirBound air, out double loss, out double unevenness)
     {
@@ -120,7 +120,7 @@ internal sealed class MethodError(Integrator method, Scene scene)
         air = _air.Over(slowest, fastest, slowSurface, fastSurface);
         loss = Math.Min(1, h * (_air.SpinDecay(fastest, slowSurface, fastSurface) + damping));
 
-        // U^1.8 changes by 1.8 of the share by which U does
+        // U^1.8 changes by 1.8 times the relative change of U
         unevenness = _air.SpinDecaysEvenly ? loss : Math.Min(1, loss + (fall / Math.Max(slowest, 0.5 * slowSurface)));
     }
 }

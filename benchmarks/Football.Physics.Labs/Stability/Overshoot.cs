@@ -3,7 +3,7 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>From which step on drag overshoots, by method, and into how many parts the library divides a longer one.</summary>
+/// <summary>Computes the step from which drag overshoots, by method, and the number of parts into which the library divides a longer step.</summary>
 internal static class Overshoot
 {
     private const double Speed = 200;
@@ -37,7 +37,7 @@ internal static class Overshoot
         return table;
     }
 
-    /// <summary>The speed after one undivided step over its length, both as shares: where a method reverses it, and where it grows.</summary>
+    /// <summary>Draws the speed after one undivided step over its length, both as shares, to show where a method reverses and increases the speed.</summary>
     public static XElement Draw()
     {
         const int Points = 300;
@@ -49,7 +49,7 @@ internal static class Overshoot
         };
         foreach (Integrator method in StressGenerator.Integrators)
         {
-            // Both Eulers do the same to a speed: the second is dashed over the first.
+            // Both Euler methods have the same effect on a speed: the second is dashed over the first.
             chart.Items.Add(new PolylineItem([.. lengths.Select(z => new PlotPoint(z, Step(method, z)))])
             {
                 Colour = Palette.Series[(int)method],
@@ -62,7 +62,7 @@ internal static class Overshoot
         return chart.Draw();
     }
 
-    /// <summary>The least z at which one step of u̇ = −|u| u from u = 1 is wrong.</summary>
+    /// <summary>Returns the least z at which one step of u̇ = −|u| u from u = 1 is wrong.</summary>
     private static double First(Integrator method, Func<double, bool> wrong)
     {
         for (int i = 1; i <= 1000; i++)

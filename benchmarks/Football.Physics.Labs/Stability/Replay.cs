@@ -1,13 +1,13 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>Simulates a scene again after its last frame, from the start and from a snapshot: each frame must have the same bits.</summary>
+/// <summary>Simulates a scene again after its last frame, from the start and from a snapshot: each frame must be bit-identical.</summary>
 internal sealed class Replay(StressScene scene)
 {
     private readonly ulong[] _hashes = new ulong[scene.Frames.Length];
     private readonly int _savedAt = new HostileRandom((ulong)scene.Number ^ 0xABCDEF).Below(scene.Frames.Length);
     private BallState _saved;
 
-    /// <summary>Keeps the hash of a frame; after the last one, simulates them again.</summary>
+    /// <summary>Stores the hash of a frame; after the last frame, simulates all frames again.</summary>
     public void Check(StressFrame frame)
     {
         if (_savedAt == 0 && frame.Index == 0)

@@ -1,16 +1,16 @@
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>What must hold of the state after every frame.</summary>
+/// <summary>The invariants of the state after every frame.</summary>
 internal static class StateCheck
 {
-    /// <summary>Energy, J, below which a ball is as good as at rest: nothing is weighed or timed to it.</summary>
+    /// <summary>The energy, J, below which a ball counts as at rest: neither its size nor its time is checked.</summary>
     private const double Nothing = 1e-40;
 
-    /// <summary>Evaluations of a frame at most: some milliseconds.</summary>
+    /// <summary>The limit of evaluations per frame: some milliseconds.</summary>
     private const long MostEvaluations = 100_000;
 
-    /// <summary>Finite, a rotation, above the ground or on it, at the right time.</summary>
-    /// <returns>False where the state is not finite: nothing more can be asked of it.</returns>
+    /// <summary>Checks that the state is finite, its orientation a rotation, its position on or above the ground, and its time right.</summary>
+    /// <returns>False if the state is not finite: no other check is possible.</returns>
     public static bool Holds(StressFrame frame)
     {
         ref readonly BallState before = ref frame.Before;
@@ -48,7 +48,7 @@ internal static class StateCheck
         return true;
     }
 
-    /// <summary>What brakes never reverses, and what decays never grows.</summary>
+    /// <summary>Checks that braking never reverses a motion, and that a decaying quantity never grows.</summary>
     public static void Reversal(StressFrame frame)
     {
         StressScene scene = frame.Scene;
@@ -66,7 +66,7 @@ internal static class StateCheck
             frame.Find("spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
         }
 
-        // The rest of a spin that has ended is rounding.
+        // The remainder of a spin that has ended is rounding.
         if (before.Spin.Y * after.Spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y)
         {
             frame.Find("spin about the vertical reversed", 1, $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
@@ -95,7 +95,7 @@ internal static class StateCheck
         }
     }
 
-    /// <summary>The work of a frame, in evaluations: a clock also counts other programs.</summary>
+    /// <summary>Checks the work of a frame, in evaluations: a clock also counts other programs.</summary>
     public static void Work(StressFrame frame)
     {
         if (frame.Log.Evaluations > MostEvaluations)
@@ -104,7 +104,7 @@ internal static class StateCheck
         }
     }
 
-    /// <summary>A frame makes no more energy than the method's own error. For the measured laws nothing bounds that error.</summary>
+    /// <summary>Checks that a frame creates no more energy than the method's own error. Skips the measured laws: their error is unbounded.</summary>
     public static void Energy(StressFrame frame)
     {
         if (!frame.Scene.Measured)
@@ -113,7 +113,7 @@ internal static class StateCheck
         }
     }
 
-    /// <summary>The same without wind and forces of a game's own.</summary>
+    /// <summary>Checks the energy only without wind and without custom forces.</summary>
     public static void EnergyInStillAir(StressFrame frame)
     {
         if (!frame.Scene.Windy && !frame.Scene.HasOwnForces)

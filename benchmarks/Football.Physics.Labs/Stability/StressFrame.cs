@@ -6,11 +6,11 @@ internal delegate void FrameCheck(StressFrame frame);
 /// <summary>A frame of a scene, and the list of its findings.</summary>
 /// <param name="scene">The scene.</param>
 /// <param name="simulator">Its simulator.</param>
-/// <param name="absurdity">How many decades the scene is outside ordinary numbers.</param>
+/// <param name="absurdity">The number of decades by which the scene is outside ordinary numbers.</param>
 /// <param name="findings">The list.</param>
 internal sealed class StressFrame(StressScene scene, Simulator simulator, double absurdity, List<Finding> findings)
 {
-    /// <summary>Far from the ground, a contact is as exact as this share of the distance.</summary>
+    /// <summary>The accuracy of a contact far from the ground, as a share of the distance.</summary>
     private const double FarShare = 1e-7;
 
     private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
@@ -23,7 +23,7 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
 
     public AirBounds Air { get; } = new(scene.Scene);
 
-    /// <summary>Height of the centre of a ball on the ground, m.</summary>
+    /// <summary>The height of the centre of a ball on the ground, m.</summary>
     public double Contact => simulator.ContactHeight;
 
     /// <summary>The deepest penetration, m: rounding of the height, and more for a ball that goes beyond <see cref="Limits.Length"/>.</summary>
@@ -38,7 +38,7 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
 
     public int Index { get; private set; } = -1;
 
-    /// <summary>Length of the frame, s.</summary>
+    /// <summary>The length of the frame, s.</summary>
     public double Length { get; private set; }
 
     public StepLog Log { get; } = new();
@@ -53,7 +53,7 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
     /// <summary>The sum over all frames so far.</summary>
     public Tally Tally { get; private set; }
 
-    /// <summary>The energy that the frame has made, and how much of it the method may make; null where nothing is guaranteed.</summary>
+    /// <summary>Returns the energy that the frame created, and the part that the method may create; null if nothing is guaranteed.</summary>
     public FrameEnergy? Energy()
     {
         FrameEnergy? energy = _energy.Of(in _before, Length, in _after, Log.Events.Span);
@@ -85,10 +85,10 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
     public void Find(string check, double size, FormattableString detail) => findings.Add(new Finding(
         check, FormattableString.Invariant($"frame {Index} of {Length} s: ") + FormattableString.Invariant(detail), size, absurdity + Absurdity.Outside(Length, 1e-4, 0.1)));
 
-    /// <summary>Adds a finding; that of a scene whose numbers a game may have gets a name of its own.</summary>
+    /// <summary>Adds a finding, under a separate name if a game may have all numbers of the scene.</summary>
     public void FindMild(string check, double size, FormattableString detail) => Find(scene.IsMild ? $"{check}, mild" : check, size, detail);
 
-    /// <summary>The distance to the next number.</summary>
+    /// <summary>Returns the distance to the next number.</summary>
     public static double Ulp(double value) => Math.BitIncrement(Math.Abs(value)) - Math.Abs(value);
 
     private double Farthest(in BallState s) => Math.Abs(s.Position.Y - Contact) + (s.Velocity.Length * Length);

@@ -13,13 +13,13 @@ internal static class StressGenerator
 
     public static IReadOnlyList<Integrator> Integrators { get; } = Enum.GetValues<Integrator>();
 
-    /// <summary>The number of a scene of a kind with a method.</summary>
+    /// <summary>Returns the number of a scene of a kind with a method.</summary>
     /// <param name="kind">The kind.</param>
     /// <param name="integrator">The method.</param>
-    /// <param name="round">Which of them, from 0 on.</param>
+    /// <param name="round">The index of the scene, from 0.</param>
     public static long Index(StressKind kind, Integrator integrator, long round) => (int)kind + (Kinds.Count * ((int)integrator + (Integrators.Count * round)));
 
-    /// <summary>The scene with a number: kinds and methods take turns.</summary>
+    /// <summary>Returns the scene with a number: kinds and methods alternate.</summary>
     public static StressScene Make(long seed, long index)
     {
         StressKind kind = Kinds[(int)(index % Kinds.Count)];
@@ -46,20 +46,20 @@ internal static class StressGenerator
         forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, ball.MostDamping) };
         if (kind == StressKind.ComesToRest && forces.Buoyancy)
         {
-            // Heavier than the air.
+            // The ball must be heavier than the air.
             forces = forces with { Buoyancy = Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
         }
 
         if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
         {
-            // A lift that goes with the speed, while drag goes with its square, lets a ball sink as slowly as it likes; and methods of low order
-            // make a velocity longer that they turn, which keeps a ball bouncing.
+            // With a lift proportional to the speed and a drag proportional to its square, a ball can sink arbitrarily slowly. Methods of low order lengthen a velocity
+            // that they turn, which keeps a ball bouncing.
             forces = forces with { Magnus = ForceLaw.Empirical };
         }
 
         if (kind == StressKind.ComesToRest && forces.Magnus != ForceLaw.None && forces.SpinDecay != ForceLaw.Empirical)
         {
-            // A ball that keeps its spin is carried by its lift: it sinks as slowly as its drag lets it, without drag not at all.
+            // Lift supports a ball that keeps its spin: it sinks as slowly as its drag allows, and without drag not at all.
             forces = forces with { SpinDecay = ForceLaw.Empirical };
         }
 
@@ -85,7 +85,7 @@ internal static class StressGenerator
         return kind == StressKind.ComesToRest ? made with { RestsBy = RestsBy(made) } : made;
     }
 
-    /// <summary>The stated time by which a ball is at rest, s, without wind and with every loss above its least.</summary>
+    /// <summary>Returns the guaranteed time by which a ball is at rest, s, without wind and with every loss above its minimum.</summary>
     /// <remarks>
     /// V = |v| + r|ω| + √(2 g h) is never exceeded. Bounces: 2V/(g(1 − e)); slide and roll: V/(μ g) each; the spin about the vertical falls by
     /// c/I a second until its energy is below the rest energy.
@@ -101,7 +101,7 @@ internal static class StressGenerator
         double decades = Math.Max(1, 0.5 * Math.Log(Math.Max(1, (spinEnergy + (s.Scene.Ball.Mass * v * v)) / ground.RestEnergy)));
         double floats = 30 + (height / 0.3) + (v / g);
 
-        // Explicit Euler's bounces lose a third as much.
+        // Explicit Euler loses only a third as much per bounce.
         double slower = s.Integrator == Integrator.Euler ? 3 : 1;
         return floats + (slower * 2 * v / (g * (1 - ground.Material.NormalRestitution))) + (v / (ground.Material.SlidingFriction * g)) + (v / (ground.Material.RollingResistance * g))
             + (decades * inertia / ground.Material.SpinDamping);
@@ -122,7 +122,7 @@ internal static class StressGenerator
         BallProperties preset = random.Any(
             BallProperties.Tunnel, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall);
 
-        // Anything between a beach ball and a medicine ball.
+        // Any ball between a beach ball and a medicine ball.
         return random.Chance(0.6) ? preset : new BallProperties { Mass = random.Log(0.1, 3), Radius = random.Uniform(0.1, 0.2), InertiaFactor = random.Uniform(0.4, 1) };
     }
 
@@ -176,7 +176,7 @@ internal static class StressGenerator
             return ForceSet.Published with { Coefficients = form };
         }
 
-        // Without drag a Magnus force may keep a ball in the air for ever.
+        // Without drag a Magnus force may keep a ball in the air forever.
         ForceLaw drag = random.Any(ForceLaw.Empirical, ForceLaw.Constant, ForceLaw.None);
         bool floats = kind == StressKind.ComesToRest && drag == ForceLaw.None;
         return ForceSet.Published with
@@ -235,7 +235,7 @@ internal static class StressGenerator
                 velocity = random.Any(velocity, velocity, Vector3d.Zero, velocity.Horizontal);
                 break;
             case StressKind.Grazing:
-                // Comes down to the ground with next to no vertical speed, or just misses it.
+                // The ball reaches the ground with almost no vertical speed, or just misses it.
                 up = random.Log(1e-12, 1e-2);
                 double fall = Math.Sqrt(2 * scene.Gravity * up);
                 velocity = (speed * random.Heading()) + new Vector3d(0, random.Any(0, -1e-9, -fall, fall, random.Uniform(-0.01, 0.01)), 0);

@@ -14,7 +14,7 @@ internal sealed record StressOutcome(string Kind, Integrator Method, Tally Tally
     public string Verdict => Failure is { } f ? $"{f.Check}: {f.Detail}" : "holds";
 }
 
-/// <summary>Counts of one scene, or the sum over many.</summary>
+/// <summary>Counts of one scene, or their sum over many.</summary>
 internal readonly record struct Tally
 {
     public long Scenes { get; init; }
@@ -23,12 +23,12 @@ internal readonly record struct Tally
 
     public long Frames { get; init; }
 
-    /// <summary>Pieces of motion, and the most in one frame.</summary>
+    /// <summary>The pieces of motion, and the most in one frame.</summary>
     public long Steps { get; init; }
 
     public long MostSteps { get; init; }
 
-    /// <summary>Steps that reached their last piece, and frames with such a step.</summary>
+    /// <summary>The steps that reached their last piece, and the frames with such a step.</summary>
     public long Stalled { get; init; }
 
     public long StalledFrames { get; init; }
@@ -39,10 +39,10 @@ internal readonly record struct Tally
 
     public long Rests { get; init; }
 
-    /// <summary>Frames that began in a net.</summary>
+    /// <summary>The frames that began in a net.</summary>
     public long InNets { get; init; }
 
-    /// <summary>The highest share of the energy that the method may make in a frame that it made.</summary>
+    /// <summary>The highest share of the allowed energy that the method created in a frame.</summary>
     public double EnergyShare { get; init; }
 
     public string Verdict => Scenes == 0 ? "-" : Failed == 0 ? "holds" : FormattableString.Invariant($"{Failed} FAILED");
@@ -63,7 +63,7 @@ internal readonly record struct Tally
         EnergyShare = Math.Max(a.EnergyShare, b.EnergyShare),
     };
 
-    /// <summary>The counts of a frame.</summary>
+    /// <summary>Returns the counts of a frame.</summary>
     public static Tally Of(StepLog log)
     {
         int impacts = 0;

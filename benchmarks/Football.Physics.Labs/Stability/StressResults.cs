@@ -5,10 +5,10 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>Simulates many scenes on all processors, and sums what they are.</summary>
+/// <summary>Simulates many scenes on all processors, and sums their outcomes.</summary>
 internal sealed class StressResults
 {
-    /// <summary>A scene that runs for longer than this, s, is reported.</summary>
+    /// <summary>A scene that takes longer than this, s, is reported.</summary>
     private const double Long = 10;
 
     private readonly Lock _lock = new();

@@ -47,7 +47,7 @@ internal static class StressRun
         }
         catch (Exception e) when ((scene.HasOwnForces && e is FormatException) || e.Message.StartsWith("forces.customForces", StringComparison.Ordinal))
         {
-            // A game's own forces may do anything, but the library rejects numbers that no field can hold by name.
+            // Custom forces may do anything, but the library rejects numbers that no field can hold by name.
             refusal = new Finding("forces.customForces", e.Message, 1, absurdity);
         }
         catch (Exception e)

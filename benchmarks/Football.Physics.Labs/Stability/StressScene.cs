@@ -3,10 +3,10 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;
 
-/// <summary>A scene, a kick, a method and the frames it is stepped with: all of it from one number.</summary>
+/// <summary>A scene, a kick, a method and its frames, all from one number.</summary>
 internal sealed record StressScene
 {
-    /// <summary>Its number, from which it is drawn.</summary>
+    /// <summary>The number from which the scene is drawn.</summary>
     public long Number { get; init; }
 
     public StressKind Kind { get; init; }
@@ -23,16 +23,16 @@ internal sealed record StressScene
 
     public required Vector3d Spin { get; init; }
 
-    /// <summary>Lengths of the frames, s.</summary>
+    /// <summary>The lengths of the frames, s.</summary>
     public required double[] Frames { get; init; }
 
-    /// <summary>When the ball must be at rest, s; the last frame is repeated until then. Null where nothing is promised.</summary>
+    /// <summary>The time by which the ball must be at rest, s; the last frame is repeated until then. Null if nothing is guaranteed.</summary>
     public double? RestsBy { get; init; }
 
-    /// <summary>Whether the air can give the ball energy.</summary>
+    /// <summary>True if the air can give the ball energy.</summary>
     public bool Windy => Scene.Air.Wind.Length > 0;
 
-    /// <summary>Whether its laws of the air are the measured ones.</summary>
+    /// <summary>True if the scene uses the measured laws of the air.</summary>
     public bool Measured => Scene.Forces.Coefficients == AerodynamicModel.Measured;
 
     public bool HasOwnForces => Scene.Forces.CustomForces.Count > 0;
@@ -42,7 +42,7 @@ internal sealed record StressScene
         ? 4.0 / 3.0 * Math.PI * Math.Pow(Scene.Ball.Radius, 3) * Scene.Air.Density * Scene.Gravity / Scene.Ball.Mass
         : 0);
 
-    /// <summary>True if a game may have every one of its numbers.</summary>
+    /// <summary>True if a game may have all of its numbers.</summary>
     public bool IsMild => Scene.Ball.Mass is >= 0.05 and <= 5
         && Scene.Ball.Radius is >= 0.05 and <= 0.3
         && Scene.Ball.InertiaFactor >= 0.3
@@ -55,7 +55,7 @@ internal sealed record StressScene
         && Scene.Air.Wind.Length <= 200
         && Settings.CollisionTolerance <= 1e-3;
 
-    /// <summary>The scene in one line, fit to be typed in again.</summary>
+    /// <summary>Returns the scene in one line that can be typed in again.</summary>
     public string Text()
     {
         static string N(double value) => value.ToString("R", CultureInfo.InvariantCulture);

@@ -3,22 +3,22 @@ using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Labs.Stability.Things;
 
-/// <summary>Looks along the path of a ball how deep it is in anything: nothing is passed through.</summary>
+/// <summary>Samples the depth of a ball in all objects along its path, to check that it passes through none.</summary>
 internal sealed class PathSamples(World world) : PieceObserver
 {
-    /// <summary>Places of a piece that are looked at.</summary>
+    /// <summary>The number of samples per piece.</summary>
     private const int Samples = 8;
 
     public override bool WantsEndAcceleration => true;
 
-    /// <summary>The deepest that it was in anything, m.</summary>
+    /// <summary>The greatest depth in any object, m.</summary>
     public double Deepest { get; private set; }
 
     public void Clear() => Deepest = 0;
 
     public override bool Add(in PathSegment piece)
     {
-        // What moves may overlap a ball that is squeezed. What it cannot have reached need not be asked: only what is close enough to its way is looked at in places of it.
+        // Moving objects may overlap a squeezed ball. Sample only objects that are close enough to the path for the ball to reach them.
         Vector3d middle = 0.5 * (piece.StartPosition + piece.EndPosition);
         double around = (0.5 * (piece.EndPosition - piece.StartPosition).Length) + (0.25 * piece.Length * (piece.EndVelocity - piece.StartVelocity).Length) + 0.5;
         var near = new NearThings(world, new Bounds3d(in middle, in middle).Expanded(around), piece.Time, piece.Length);

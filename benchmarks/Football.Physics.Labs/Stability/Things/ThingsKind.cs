@@ -1,23 +1,23 @@
 namespace FootballPhysics.Labs.Stability.Things;
 
-/// <summary>The kinds of scenes with things in them.</summary>
+/// <summary>The kinds of scenes with objects.</summary>
 internal enum ThingsKind
 {
-    /// <summary>Spheres, capsules, boxes and walls that stand still.</summary>
+    /// <summary>Standing spheres, capsules, boxes and walls.</summary>
     Obstacles,
 
-    /// <summary>Some of them move steadily.</summary>
+    /// <summary>As above, some of them in steady motion.</summary>
     Moving,
 
-    /// <summary>Some of them the game moves, before every frame and wherever it likes.</summary>
+    /// <summary>As above, some of them moved by the game, before every frame and to any position.</summary>
     Bodies,
 
     /// <summary>Goals and free nets.</summary>
     Nets,
 
-    /// <summary>On a tilted pitch.</summary>
+    /// <summary>Objects on a tilted pitch.</summary>
     Slopes,
 
-    /// <summary>On uneven ground.</summary>
+    /// <summary>Objects on uneven ground.</summary>
     Hills,
 }

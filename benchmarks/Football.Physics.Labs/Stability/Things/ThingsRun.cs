@@ -3,19 +3,19 @@ using FootballPhysics.Contacts;
 
 namespace FootballPhysics.Labs.Stability.Things;
 
-/// <summary>Plays a scene with things in it, beside its mirror image, and checks frame by frame what must always hold.</summary>
+/// <summary>Simulates a scene with objects, next to its mirror image, and checks the invariants frame by frame.</summary>
 internal sealed class ThingsRun
 {
-    /// <summary>Deepest overlap after a frame, m.</summary>
+    /// <summary>The deepest overlap after a frame, m.</summary>
     private const double Overlap = 1e-9;
 
-    /// <summary>Deepest overlap on the way, m, as the dense path has it: more, and it would be passing through.</summary>
+    /// <summary>The deepest overlap on the path, m, by dense samples; a ball that is deeper passes through.</summary>
     private const double Through = 5e-3;
 
-    /// <summary>What is closer than this, m, is beside the ball.</summary>
+    /// <summary>Objects that are closer than this, m, are next to the ball.</summary>
     private const double Beside = 0.02;
 
-    /// <summary>Pieces that a frame may take.</summary>
+    /// <summary>The limit of pieces per frame.</summary>
     private const int MostPieces = 20_000;
 
     private readonly ThingsScene _scene;
@@ -86,7 +86,7 @@ internal sealed class ThingsRun
         : _log.Steps > MostPieces ? Fail("work", $"{_log.Steps} pieces")
         : null;
 
-    /// <summary>From a snapshot the same frame comes out again, also in the middle of a net.</summary>
+    /// <summary>Checks that the frame is bit-identical from a snapshot, also in the middle of a net.</summary>
     private Finding? Rewound(in BallState before, double dt)
     {
         if (before.Nets == 0 && _tally.Frames % 16 != 0)
@@ -104,7 +104,7 @@ internal sealed class ThingsRun
 
     private Finding? Overlaps()
     {
-        // Between things of which one moves there may be no place for the ball: what stands still is not entered even then.
+        // Between objects of which one moves there may be no room for the ball: it must not enter a standing object even then.
         int near = 0;
         double inMovers = 0;
         double inOthers = 0;
@@ -123,7 +123,7 @@ internal sealed class ThingsRun
             : null;
     }
 
-    /// <summary>No impact gives energy in the frame of what was hit, except as much as its event says that a bumper has added.</summary>
+    /// <summary>Checks that no impact adds energy in the frame of the object, except for the energy that its event reports as added by a bumper.</summary>
     private Finding? Impulses()
     {
         double mass = _world.Ball.Mass;
@@ -150,7 +150,7 @@ internal sealed class ThingsRun
         return null;
     }
 
-    /// <summary>The mirror image of the scene plays the mirror image of the shot, to the last bit.</summary>
+    /// <summary>Checks that the mirror image of the scene gives the mirror image of the shot, bit-identical.</summary>
     private Finding? Mirrored(double dt)
     {
         if (_image is null)

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability.Things;
 
-/// <summary>A scene with things in it, and a shot among them: all of it from one number. Its mirror image in x has the same numbers, but for their signs.</summary>
+/// <summary>A scene with objects, and a shot among them, all from one number. Its mirror image in x has the same numbers, except for their signs.</summary>
 internal sealed class ThingsScene
 {
     private const double Radius = 0.11;
@@ -13,8 +13,8 @@ internal sealed class ThingsScene
 
     /// <summary>Draws a scene.</summary>
     /// <param name="seed">Seed.</param>
-    /// <param name="index">Its number.</param>
-    /// <param name="mirrored">Whether to make its mirror image.</param>
+    /// <param name="index">The number of the scene.</param>
+    /// <param name="mirrored">True for its mirror image.</param>
     public ThingsScene(long seed, long index, bool mirrored)
     {
         _random = new SeededRandom(SeededRandom.Mix(seed, index));
@@ -41,7 +41,7 @@ internal sealed class ThingsScene
         Velocity = Polar(new Vector3d(_random.Uniform(-25, 25), _random.Uniform(-8, 15), _random.Uniform(-40, 10)));
         if ((obstacles.Length > 0 || Kind == ThingsKind.Nets) && _random.Chance(0.6))
         {
-            // At one of the things, or into the goal.
+            // Aim at one of the objects, or into the goal.
             Vector3d at = Polar(new Vector3d(_random.Uniform(-2, 2), _random.Uniform(0.2, 2), -8));
             Bounds3d box = Kind == ThingsKind.Nets ? new Bounds3d(in at, in at) : obstacles[_random.Below(obstacles.Length)].Shape.Bounds;
             Vector3d way = (0.5 * (box.Min + box.Max)) - Position;
@@ -66,16 +66,16 @@ internal sealed class ThingsScene
 
     public Vector3d Spin { get; }
 
-    /// <summary>Lengths of the frames, s.</summary>
+    /// <summary>The lengths of the frames, s.</summary>
     public double[] Frames { get; }
 
-    /// <summary>Whether its mirror image is made of the same numbers: those of uneven ground are rounded on one side as they are not on the other.</summary>
+    /// <summary>True if the mirror image has the same numbers: on uneven ground the two sides round differently.</summary>
     public bool HasMirrorImage => Kind != ThingsKind.Hills;
 
-    /// <summary>The mirror image of a place, as this scene has it.</summary>
+    /// <summary>Returns the mirror image of a vector in a mirrored scene.</summary>
     public Vector3d Polar(Vector3d v) => new(_sign * v.X, v.Y, v.Z);
 
-    /// <summary>Moves the bodies somewhere, as a game would before a frame.</summary>
+    /// <summary>Moves the bodies, as a game would before a frame.</summary>
     public void MoveBodies(double time)
     {
         foreach (KinematicBody body in Scene.Bodies ?? [])
@@ -84,7 +84,7 @@ internal sealed class ThingsScene
             Vector3d change = _motion.Log(0.1, 3) * _motion.Direction();
             Vector3d spin = _motion.Chance(0.1) ? 5 * _motion.Direction() : Vector3d.Zero;
 
-            // Where it has come to, and a little of what nobody expected.
+            // Start from the reached position and velocity, with a small unexpected change.
             Vector3d velocity = (0.9 * body.Velocity) + Polar(change);
             Vector3d place = body.Position + ((time - body.Time) * body.Velocity) + Polar(jump);
             body.MoveTo(new Vector3d(place.X, Math.Max(0, place.Y), place.Z), body.Orientation, velocity, Axial(spin), time);
@@ -157,7 +157,7 @@ internal sealed class ThingsScene
     {
         if (!moves && _random.Chance(0.05))
         {
-            // Walls round it all.
+            // Walls around the scene.
             Vector3d normal = _random.Any(new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), new Vector3d(1, 0, 0), new Vector3d(-1, 0, 0));
             return new Obstacle { Name = "wall", Shape = new PlaneShape(Polar(-13 * normal), Polar(normal)), Surface = DrawSurface() };
         }
