@@ -4,8 +4,8 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.Stress;
 
 /// <summary>
-/// A closed hall, drawn from a seed: boards as high as a house, two goals with nets, posts and boxes, players who run at the ball, cones that weigh little, an engine's
-/// spheres, wind, one to five balls. Its actors move only between steps, so that a match is a function of the seed and the frames.
+/// A closed hall, drawn from a seed: boards as high as a house, two goals with nets, posts and boxes, players who run at the ball, light cones, an
+/// engine's spheres, wind, one to five balls. Its actors move only between steps, so that a match is a function of the seed and the frames.
 /// </summary>
 internal sealed class Arena
 {
@@ -95,31 +95,31 @@ internal sealed class Arena
 
     public Simulator Simulator { get; }
 
-    /// <summary>Radius of the balls, m.</summary>
+    /// <summary>The radius of the balls, m.</summary>
     public double Radius { get; }
 
-    /// <summary>The balls as they are now.</summary>
+    /// <summary>The current states of the balls.</summary>
     public BallState[] Balls { get; }
 
-    /// <summary>Whether the balls are stepped as a group.</summary>
+    /// <summary>True if the balls are stepped as a group.</summary>
     public bool IsGroup => _group is not null;
 
-    /// <summary>Whether the wind is steady: a ball comes to rest then.</summary>
+    /// <summary>True if the wind is steady, so that a ball comes to rest.</summary>
     public bool MustRest => Scene.Air.WindField is null;
 
-    /// <summary>Whether the wind along a direction drives a ball on grass for minutes at a few centimetres a second, which is no fault.</summary>
+    /// <summary>True if the wind along a direction drives a ball on grass for minutes at a few centimetres a second, which is not a fault.</summary>
     public bool Drives(Vector3d direction) => Vector3d.Dot(Scene.Air.Wind, direction) is > 4 and < 9;
 
     public double Time => Balls[0].Time;
 
-    /// <summary>The distance of a point from what never moves, in closed form.</summary>
+    /// <summary>Returns the distance of a point from the objects that never move, in closed form.</summary>
     public double ToStanding(Vector3d point) =>
         Math.Min(_standing.Distance(point), _spheresStand && _spheres is not null ? _spheres.ToStanding(point) : double.PositiveInfinity);
 
-    /// <summary>Whether a point is behind a board, or above them.</summary>
+    /// <summary>True if a point is behind a board, or above them.</summary>
     public bool IsOutside(Vector3d point) => Math.Abs(point.X) > _halfWidth || Math.Abs(point.Z) > _halfLength || point.Y > High;
 
-    /// <summary>Whether a ball is kicked before a frame of this length, about every 0.7 s, and how.</summary>
+    /// <summary>Returns a kick if a ball is kicked before a frame of this length, on average every 0.7 s, and null otherwise.</summary>
     public (Vector3d Velocity, Vector3d Spin)? Decide(int ball, double frame) =>
         _random.Chance(1 - Math.Exp(-frame / 0.7)) ? _kicks.Draw(Balls[ball].Position) : null;
 
@@ -144,7 +144,7 @@ internal sealed class Arena
         }
     }
 
-    /// <summary>One step of all balls.</summary>
+    /// <summary>Steps all balls once.</summary>
     public void Step(double frame, StepLog log)
     {
         _watched?.Begin();
@@ -158,10 +158,10 @@ internal sealed class Arena
         }
     }
 
-    /// <summary>The paths of all balls in one step of this length.</summary>
+    /// <summary>Computes the paths of all balls in one step of this length.</summary>
     public void LookAhead(double frame, Trajectory[] into) => LookAhead(frame, into, 1.5 * frame);
 
-    /// <summary>The paths of all balls for a duration.</summary>
+    /// <summary>Computes the paths of all balls for a duration.</summary>
     public void LookAhead(double step, Trajectory[] into, double duration)
     {
         _watched?.Begin();
@@ -274,7 +274,7 @@ internal sealed class Arena
     private Vector3d Somewhere(double margin) =>
         new(_random.Uniform(margin - _halfWidth, _halfWidth - margin), 0, _random.Uniform(margin - _halfLength, _halfLength - margin));
 
-    /// <summary>Where a ball touches nothing: apart from what stands, from players, cones and the balls before it.</summary>
+    /// <summary>Returns a position at which a ball touches neither standing objects nor players, cones or the balls before it.</summary>
     private Vector3d Free(int index)
     {
         while (true)

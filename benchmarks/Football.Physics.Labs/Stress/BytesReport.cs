@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Changed bytes of every format: rejected, or the steps that follow are finite and short.</summary>
+/// <summary>Tries changed bytes of every format: they are rejected, or the steps that follow are finite and short.</summary>
 internal static class BytesReport
 {
     /// <summary>The formats.</summary>

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>The distribution of the evaluations of a step, for each ball of it.</summary>
+/// <summary>The distribution of the evaluations per step and ball.</summary>
 internal sealed class EvaluationCounts
 {
-    /// <summary>A step has no more, docs/troubleshooting.md; a larger count is in the last bin.</summary>
+    /// <summary>The limit of evaluations per step, docs/troubleshooting.md; a larger count is in the last bin.</summary>
     public const int Most = 32_768;
 
     private readonly long[] _steps = new long[Most + 2];
@@ -29,7 +29,7 @@ internal sealed class EvaluationCounts
 
             Steps += evaluations.Count;
 
-            // Of equal counts the first text: matches end in any order.
+            // Of equal counts keep the first text, because matches end in any order.
             if (largest > Largest || (largest == Largest && string.CompareOrdinal(at, LargestAt) < 0))
             {
                 (Largest, LargestAt) = (largest, at);
@@ -37,7 +37,7 @@ internal sealed class EvaluationCounts
         }
     }
 
-    /// <summary>The count that a share of the steps does not exceed.</summary>
+    /// <summary>Returns the count that a share of the steps does not exceed.</summary>
     public long At(double share)
     {
         long wanted = (long)Math.Ceiling(share * Steps);

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Scenes for states from outside: nets, goals, boards, tables to lie on, a knuckle force, wind. Nothing in them is moved, so that threads may share them.</summary>
+/// <summary>Scenes for states from outside: nets, goals, boards, tables, a knuckle force, wind. Nothing in them is moved, so threads may share them.</summary>
 internal static class HallScenes
 {
     private const int MostSteps = 90;
@@ -17,7 +17,7 @@ internal static class HallScenes
         new(Scene.Default),
     ];
 
-    /// <summary>A ball of a scene somewhere on its way: in a net, on a table, on the ground or in the air.</summary>
+    /// <summary>Returns the state of a moving ball of a scene: in a net, on a table, on the ground or in the air.</summary>
     public static BallState State(SeededRandom random, Simulator simulator)
     {
         IReadOnlyList<Goal> goals = simulator.Scene.Goals;
@@ -40,7 +40,7 @@ internal static class HallScenes
         return state;
     }
 
-    /// <summary>The lengths of the steps that an accepted state is played with, s.</summary>
+    /// <summary>The lengths of the steps for an accepted state, s.</summary>
     public static ReadOnlySpan<double> Steps => s_steps;
 
     private static Obstacle Table(double z, double high) =>

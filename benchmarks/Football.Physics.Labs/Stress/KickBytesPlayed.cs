@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Kick logs that were changed: an accepted log is played in a scene with nets, and kicks for balls that the match lacks are rejected when they arrive.</summary>
+/// <summary>Changed kick logs: an accepted log is simulated in a scene with nets. Kicks for balls that the match lacks are rejected when due.</summary>
 internal sealed class KickBytesPlayed : FuzzTarget
 {
     private const double Tick = 1 / 60.0;

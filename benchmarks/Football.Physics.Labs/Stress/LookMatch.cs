@@ -2,12 +2,12 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>One match that is played twice: alone, and with paths, aims, interceptions and a kept prediction between its ticks.</summary>
+/// <summary>Simulates one match twice: alone, and with paths, aims, interceptions and a kept prediction between its ticks.</summary>
 internal sealed class LookMatch(long seed, long index)
 {
     private const double Tick = 1 / 60.0;
 
-    /// <summary>Aims are computed every so many ticks, and interceptions.</summary>
+    /// <summary>The number of ticks between two aims, and between two interceptions.</summary>
     private const int PerAim = 24;
     private const int PerInterception = 6;
 
@@ -30,16 +30,16 @@ internal sealed class LookMatch(long seed, long index)
 
     public long Recomputed { get; private set; }
 
-    /// <summary>Ticks whose hashes differ, or whose events do.</summary>
+    /// <summary>The number of ticks with different hashes or events.</summary>
     public long Differ { get; private set; }
 
-    /// <summary>The first of them.</summary>
+    /// <summary>The first of these ticks.</summary>
     public string FirstAt { get; private set; } = "";
 
-    /// <summary>Whether a step or a query threw.</summary>
+    /// <summary>True if a step or a query threw.</summary>
     public bool Throws { get; private set; }
 
-    /// <summary>Plays both matches.</summary>
+    /// <summary>Simulates both matches.</summary>
     public void Play(double seconds)
     {
         try
@@ -92,7 +92,7 @@ internal sealed class LookMatch(long seed, long index)
             }
         }
 
-        // Looked at, the balls may be those of the kick too.
+        // Clear the log, because the look-aheads may have run on the kicked balls.
         log.Clear();
         arena.Step(Tick, log);
         arena.Walk(Tick);

@@ -3,10 +3,10 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Plays matches with and without look-aheads, and with kicks in time and late: the bits must be the same.</summary>
+/// <summary>Simulates matches with and without look-aheads, and with kicks in time and late: the results must be bit-identical.</summary>
 internal static class LooksReport
 {
-    /// <summary>Late kicks that one match of <see cref="RollbackCounts"/> has at least, its share of the other kinds included.</summary>
+    /// <summary>The least number of late kicks of one match of <see cref="RollbackCounts"/>, including its share of the other kinds.</summary>
     private const long LateOfMatch = 1000;
 
     public static LabReport Run(long seed, long matches, double seconds, long late, int jobs, Progress progress)

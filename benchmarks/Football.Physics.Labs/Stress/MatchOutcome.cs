@@ -39,33 +39,33 @@ internal sealed class MatchOutcome(long index)
 
     public long Undecided { get; set; }
 
-    /// <summary>Balls that must come to rest, and the latest of them, s after the match.</summary>
+    /// <summary>The number of balls that must come to rest, and the time of the last one, s after the match.</summary>
     public int Resting { get; set; }
 
     public double LatestRest { get; set; }
 
-    /// <summary>Events beyond the limit of a step, which are counted only.</summary>
-    public long Untold { get; set; }
+    /// <summary>The number of impacts beyond the limit of a step, which are only counted.</summary>
+    public long UnreportedImpacts { get; set; }
 
     public int MostEvents { get; set; }
 
-    /// <summary>Evaluations of each step, for each ball of it.</summary>
+    /// <summary>The evaluations of each step, per ball.</summary>
     public List<int> Evaluations { get; } = [];
 
     public long MostEvaluations { get; set; }
 
     public string MostEvaluationsAt { get; set; } = "";
 
-    /// <summary>How often a claim does not hold.</summary>
+    /// <summary>Returns the number of violations of a claim.</summary>
     public long Broken(MatchClaim claim) => _broken[(int)claim];
 
-    /// <summary>The worst size of that.</summary>
+    /// <summary>Returns the worst size of a claim.</summary>
     public double Worst(MatchClaim claim) => _worst[(int)claim];
 
-    /// <summary>Its scene.</summary>
+    /// <summary>Returns the scene of the worst size, or of the first violation.</summary>
     public string At(MatchClaim claim) => _at[(int)claim];
 
-    /// <summary>A size that a claim bounds.</summary>
+    /// <summary>Adds a size that a claim bounds.</summary>
     public void See(MatchClaim claim, double size, bool holds, FormattableString at)
     {
         int i = (int)claim;

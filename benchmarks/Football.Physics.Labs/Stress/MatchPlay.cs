@@ -4,32 +4,32 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Plays one match of an arena, and checks each step by geometry of its own.</summary>
+/// <summary>Simulates one match of an arena, and checks each step with independent geometry.</summary>
 internal sealed class MatchPlay
 {
-    /// <summary>A ball that is deeper in a standing object, m, is inside.</summary>
+    /// <summary>A ball that is deeper than this in a standing object, m, is inside it.</summary>
     private const double Entered = 1e-6;
 
     /// <summary>The interval, s, at which a path is compared with standing objects.</summary>
     private const double Sample = 0.002;
 
-    /// <summary>The path of a step may end this far, m, from the ball: objects that press it move it straight at the end of a piece.</summary>
+    /// <summary>The distance, m, by which the path of a step may end away from the ball: objects in sustained contact move the ball straight at the end of a piece.</summary>
     private const double PutOn = 2e-6;
 
-    /// <summary>A goal and its event differ by less, s, and the time in which the ball moves as far as its path may be off.</summary>
+    /// <summary>The largest difference between the times of a goal and its event, s. The time in which the ball moves by the error of its path is added.</summary>
     private const double Closeness = 1e-6;
 
-    /// <summary>A ball that hangs in a net, or that a player stands on, is slower, m/s and rad/s.</summary>
+    /// <summary>The speed, m/s and rad/s, below which a ball hangs in a net, or is held by a player who stands on it.</summary>
     private const double Hanging = 1e-6;
 
-    /// <summary>A ball that the wind drives along a board or a net is faster, m/s.</summary>
+    /// <summary>The speed, m/s, above which the wind drives a ball along a board or a net.</summary>
     private const double Driven = 1e-3;
 
     /// <summary>The length of the frames after the match, s, and the time for all balls to come to rest, s.</summary>
     private const double RestFrame = 1 / 30.0;
     private const double LongestRest = 150;
 
-    /// <summary>Pieces of motion that the path of a step can hold: those of two steps at their limit fit.</summary>
+    /// <summary>The number of pieces that the path of a step can hold: enough for two steps at their limit.</summary>
     private const int PathPieces = 1 << 14;
 
     private const double ShortestFrame = 0.004;
@@ -55,7 +55,7 @@ internal sealed class MatchPlay
         _outcome = new MatchOutcome(index) { Balls = _arena.Balls.Length };
     }
 
-    /// <summary>Plays a match and the time until its balls rest.</summary>
+    /// <summary>Simulates a match and the time until its balls rest.</summary>
     public static MatchOutcome Play(long seed, long index, double seconds)
     {
         var play = new MatchPlay(seed, index);
@@ -105,7 +105,7 @@ internal sealed class MatchPlay
         }
     }
 
-    /// <summary>After the match: actors stop, and the balls come to rest.</summary>
+    /// <summary>Runs the time after the match: actors stop, and the balls come to rest.</summary>
     private void Rest()
     {
         double end = _arena.Time;
@@ -136,7 +136,7 @@ internal sealed class MatchPlay
         }
     }
 
-    /// <summary>True for a ball that is at rest, lies still in a net, or lies still in a corner where a player who stands still overlaps it.</summary>
+    /// <summary>True if a ball is at rest, lies still in a net, or lies still in a corner while a standing player overlaps it.</summary>
     private static bool IsAtRest(BallState ball) =>
         ball.Motion == MotionState.Rest || ((ball.Nets != 0 || ball.Motion == MotionState.Pinned) && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
 
@@ -156,7 +156,7 @@ internal sealed class MatchPlay
         }
 
         _outcome.See(MatchClaim.Stalled, _log.StalledSteps, _log.StalledSteps == 0, at);
-        _outcome.Untold += _log.UnreportedImpacts;
+        _outcome.UnreportedImpacts += _log.UnreportedImpacts;
         Span<int> events = stackalloc int[balls];
         foreach (ref readonly BallEvent item in _log.Events)
         {
@@ -189,7 +189,7 @@ internal sealed class MatchPlay
         }
     }
 
-    /// <summary>The path of a ball in the last step, against standing objects and goals.</summary>
+    /// <summary>Compares the path of a ball in the last step with standing objects and goals.</summary>
     private void Compare(int ball, double frame)
     {
         ref readonly BallState after = ref _arena.Balls[ball];
@@ -197,7 +197,7 @@ internal sealed class MatchPlay
         double start = after.Time - frame;
         if (!path.IsComplete || _log.StalledSteps > 0)
         {
-            // A step at its limit leaves the ball where it is; its look-ahead may not. The watches start again from here.
+            // A step at its limit leaves the ball where it is; its look-ahead may not. Restart the watches from here.
             _outcome.Undecided++;
             BeginWatches(ball);
             return;
@@ -240,12 +240,12 @@ internal sealed class MatchPlay
         _outcome.Goals += reported;
         if (watch.IsUndecided)
         {
-            // Begins from scratch with the next kick.
+            // The watch restarts with the next kick.
             _outcome.Undecided += isOver || reported > 0 ? 1 : 0;
             return;
         }
 
-        // A ball that is moved straight at the end of a piece passes at a time within the step.
+        // A ball that an object moves straight at the end of a piece crosses the line at a time within the step.
         double room = Closeness + (PutOn / Math.Max(_arena.Balls[ball].Velocity.Length, 1e-3));
         bool holds = reported == (isOver ? 1 : 0) && (!isOver || Math.Abs(time - watch.Time) <= room || watch.Time == _arena.Balls[ball].Time);
         _outcome.See(MatchClaim.Goals, 0, holds, $"{at}: {reported} reported at {time} s, over the line {isOver} at {watch.Time} s");

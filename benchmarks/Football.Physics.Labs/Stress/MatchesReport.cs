@@ -2,10 +2,10 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>Plays the matches of the lab, and sums what was found.</summary>
+/// <summary>Simulates the matches of the lab, and sums their outcomes.</summary>
 internal static class MatchesReport
 {
-    /// <summary>Scenes that are named of a claim that does not hold.</summary>
+    /// <summary>The number of scenes listed per violated claim.</summary>
     private const int Shown = 6;
 
     private static readonly (MatchClaim Claim, string Name)[] s_claims =
@@ -49,7 +49,7 @@ internal static class MatchesReport
             FormattableString.Invariant($"Matches of {seconds} s"), "matches", "balls", "steps", "kicks", "of balls in nets", "goals", "not judged", "balls that must rest", "latest rest, s", "most events", "counted only");
         played.Add(
             outcomes.Length, outcomes.Sum(o => o.Balls), outcomes.Sum(o => o.Steps), outcomes.Sum(o => o.Kicks), outcomes.Sum(o => o.KicksInNets), outcomes.Sum(o => o.Goals),
-            outcomes.Sum(o => o.Undecided), outcomes.Sum(o => o.Resting), outcomes.Max(o => o.LatestRest), outcomes.Max(o => o.MostEvents), outcomes.Sum(o => o.Untold));
+            outcomes.Sum(o => o.Undecided), outcomes.Sum(o => o.Resting), outcomes.Max(o => o.LatestRest), outcomes.Max(o => o.MostEvents), outcomes.Sum(o => o.UnreportedImpacts));
         var claims = new LabTable("Claims", "what", "count", "in matches", "worst", "at", "verdict");
         foreach ((MatchClaim claim, string name) in s_claims)
         {

@@ -6,11 +6,11 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>States of a ball with fields that no ball has: as a snapshot, or as the memory that C passes.</summary>
-/// <param name="isMemory">Whether the bytes are the memory of the state, without a checksum.</param>
+/// <summary>States of a ball with invalid fields: as a snapshot, or as the memory that C passes.</summary>
+/// <param name="isMemory">True if the bytes are the memory of the state, without a checksum.</param>
 internal sealed class StateBytes(bool isMemory) : FuzzTarget
 {
-    /// <summary>Steps of each length that an accepted state is played.</summary>
+    /// <summary>The number of steps of each length for an accepted state.</summary>
     private const int Repeats = 3;
 
     private static readonly double[] s_numbers =
@@ -44,7 +44,7 @@ internal sealed class StateBytes(bool isMemory) : FuzzTarget
             MemoryMarshal.AsBytes<ulong>(words).CopyTo(bytes);
         }
 
-        // Some bytes too, which is all that a broken sender changes.
+        // Change some bytes too, as a broken sender would.
         for (int i = random.Chance(0.2) ? 1 + random.Below(3) : 0; i > 0; i--)
         {
             bytes[random.Below(bytes.Length)] ^= (byte)(1 << random.Below(8));
@@ -92,14 +92,14 @@ internal sealed class StateBytes(bool isMemory) : FuzzTarget
         return refused;
     }
 
-    /// <summary>Changes one field: a number to one of those that programs stumble over, flags by a bit, an index to another.</summary>
+    /// <summary>Changes one field: a number to one that often exposes errors, flags by a bit, an index to another one.</summary>
     private static void Change(SeededRandom random, Span<ulong> words)
     {
         int field = random.Below(StateFields.Count);
         (string name, bool isNumber) = StateFields.NameOf(field);
         if (random.Chance(0.3))
         {
-            // The fields that only a scene can check.
+            // Prefer fields that only a scene can check.
             string wanted = random.Any("nets", "netSides", "goalsPassed", "goalsEntered", "carrier", "airDistance", "clearUntil", "clearIn");
             field = StateFields.IndexOf(wanted);
             (name, isNumber) = StateFields.NameOf(field);

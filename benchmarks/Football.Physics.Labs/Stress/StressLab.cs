@@ -4,7 +4,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>football lab stress: matches in closed halls, look-aheads between ticks and late kicks, and bytes that no ball makes.</summary>
+/// <summary>football lab stress: matches in closed halls, look-aheads between ticks and late kicks, and bytes that no valid state has.</summary>
 internal static class StressLab
 {
     private const long Most = 1_000_000_000;

@@ -2,10 +2,10 @@ using FootballPhysics.Labs.People;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>An engine's spheres, or none, that end a step which never ends: after very many sphere casts they throw.</summary>
+/// <summary>An engine's spheres, or none, that throw after very many sphere casts, to end a step that never ends.</summary>
 internal sealed class WatchedColliders(StadiumSpheres? spheres) : IEngineColliders
 {
-    /// <summary>The limit of a step or look-ahead of five balls at their 8 192 pieces is a fraction of this.</summary>
+    /// <summary>The limit of sphere casts; five balls at their 8 192 pieces need a fraction of it per step or look-ahead.</summary>
     private const long MostCasts = 400_000;
 
     private double _time;

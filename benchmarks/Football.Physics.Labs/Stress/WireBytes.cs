@@ -3,13 +3,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>States in the wire form whose bits were changed: at random, and field by field to its ends.</summary>
+/// <summary>States in the wire form with changed bits: at random, and field by field to the ends of its range.</summary>
 internal sealed class WireBytes : FuzzTarget
 {
     private const double Tick = 1 / 60.0;
     private const int MostTicks = 60;
 
-    /// <summary>First bit and number of bits of each field: motion, goals entered and passed, time, x, z, y, velocity, spin, rotation.</summary>
+    /// <summary>The first bit and the number of bits of each field: motion, goals entered and passed, time, x, z, y, velocity, spin, rotation.</summary>
     private static readonly (int First, int Count)[] s_fields = Fields([3, 2, 2, 22, 18, 18, 16, 16, 16, 16, 13, 13, 13, 2, 7, 7, 7]);
 
     public override string Name => "wire forms";
