@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>The measured laws of the air for the generic ball, from their page: drag, lift and the torque on a ball.</summary>
+/// <summary>The measured laws of the air for the generic ball, as documented: drag, lift and the torque on a ball.</summary>
 /// <param name="Density">Density of the air, kg/m³.</param>
 /// <param name="Viscosity">Kinematic viscosity, m²/s.</param>
 /// <param name="Wind">Wind, m/s.</param>
@@ -11,10 +11,10 @@ internal sealed record AirModel(double Density, double Viscosity, Vector3d Wind)
     private const double Inertia = 2.0 / 3 * Mass * Radius * Radius;
     private const double Area = Math.PI * Radius * Radius;
 
-    /// <summary>The buoyancy, as an acceleration for each m/s² of gravity.</summary>
+    /// <summary>The buoyancy, as an acceleration per m/s² of gravity.</summary>
     public double Lifts => 4.0 / 3 * Math.PI * Radius * Radius * Radius * Density / Mass;
 
-    /// <summary>Force over mass, m/s², and torque, N m.</summary>
+    /// <summary>Returns force over mass, m/s², and torque, N m.</summary>
     public (Vector3d Acceleration, Vector3d Torque) Act(in Vector3d velocity, in Vector3d spin)
     {
         Vector3d u = velocity - Wind;

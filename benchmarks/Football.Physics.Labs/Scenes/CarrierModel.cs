@@ -1,8 +1,8 @@
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>
-/// A ball on a plane or a cylinder that moves and turns, in still space without air: the equations of slip and roll at the contact point, in steps of 0.05 ms by the classical
-/// Runge-Kutta method. It shares no code with the library.
+/// A ball on a plane or a cylinder that moves and turns, in an inertial frame without air: the equations of slip and roll at the contact point, in steps of
+/// 0.05 ms by the classical Runge-Kutta method. It shares no code with the library.
 /// </summary>
 internal sealed class CarrierModel
 {
@@ -21,7 +21,7 @@ internal sealed class CarrierModel
 
     public required Vector3d Gravity { get; init; }
 
-    /// <summary>Coefficients of sliding and of rolling friction, and growth of the latter with speed, s/m.</summary>
+    /// <summary>The coefficients of sliding and of rolling friction, and the growth of the latter with speed, s/m.</summary>
     public required double Sliding { get; init; }
 
     public required double Rolling { get; init; }
@@ -31,7 +31,7 @@ internal sealed class CarrierModel
     /// <summary>The rate at which the spin about the normal is damped, c/I, 1/s.</summary>
     public required double Damping { get; init; }
 
-    /// <summary>True if the shape itself turns, false if its surface alone does.</summary>
+    /// <summary>True if the shape itself turns, false if only its surface does.</summary>
     public required bool ShapeTurns { get; init; }
 
     /// <summary>The radius of a cylinder, m; 0 for a plane.</summary>
@@ -59,12 +59,12 @@ internal sealed class CarrierModel
     /// <summary>The smallest load so far, as a share of the ball's weight, and the smallest speed over the carrier while the ball rolled, m/s.</summary>
     public double LeastLoad { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>True if friction has ceased to hold a ball that rolled.</summary>
+    /// <summary>True if friction no longer held a ball that rolled.</summary>
     public bool LostGrip { get; private set; }
 
     public double SlowestRoll { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Goes on with the carrier as it moves now; what it gained since then is slip.</summary>
+    /// <summary>Advances with the current motion of the carrier; a change of this motion becomes slip.</summary>
     public void Advance(double duration)
     {
         _slides |= Slip(Place, Moves, Turns).Length > NoSlip;
@@ -74,7 +74,7 @@ internal sealed class CarrierModel
             double h = Math.Min(Longest, left);
             if (!_slides && !Grips())
             {
-                // The direction of a slip that begins is stiff: these explicit steps cannot follow it to the limit of the comparison.
+                // The direction of a new slip is stiff: these explicit steps cannot follow it to the limit of the comparison.
                 _slides = true;
                 LostGrip = true;
                 _ahead = -Hold(Place, Moves, Turns).Normalized();
@@ -109,7 +109,7 @@ internal sealed class CarrierModel
 
     private Vector3d NormalAt(in Vector3d p) => Curve > 0 ? Along(p - Pivot, Axis).Normalized() : Normal;
 
-    /// <summary>H v: how the normal turns along a motion.</summary>
+    /// <summary>Returns H v, the rate at which the normal turns along a motion.</summary>
     private Vector3d Bend(in Vector3d p, in Vector3d v)
     {
         if (Curve == 0)
@@ -121,17 +121,17 @@ internal sealed class CarrierModel
         return Along(Along(v, n), Axis) / (Curve + Radius);
     }
 
-    /// <summary>q: the velocity relative to the shape.</summary>
+    /// <summary>Returns q, the velocity relative to the shape.</summary>
     private Vector3d Relative(in Vector3d p, in Vector3d v) => v - Velocity - (ShapeTurns ? Vector3d.Cross(Spin, p - Pivot) : default);
 
     private Vector3d NormalRate(in Vector3d p, in Vector3d v) => Bend(p, Relative(p, v)) + (ShapeTurns ? Vector3d.Cross(Spin, NormalAt(p)) : default);
 
-    /// <summary>A_s: the acceleration that the shape gives a ball that follows it.</summary>
+    /// <summary>Returns A_s, the acceleration that the shape gives a ball that follows it.</summary>
     private Vector3d Frame(in Vector3d p, in Vector3d v) => ShapeTurns
         ? Vector3d.Cross(Spin, Vector3d.Cross(Spin, p - Pivot)) + (2 * Vector3d.Cross(Spin, Relative(p, v)))
         : default;
 
-    /// <summary>N/m, m/s².</summary>
+    /// <summary>Returns N/m, m/s².</summary>
     private double Load(in Vector3d p, in Vector3d v)
     {
         Vector3d q = Relative(p, v);
@@ -146,10 +146,10 @@ internal sealed class CarrierModel
         return Along(v - SurfaceVelocity(p), n) + (Radius * Vector3d.Cross(n, w));
     }
 
-    /// <summary>The velocity over the carrier's material, which rolling friction acts against.</summary>
+    /// <summary>Returns the velocity over the carrier's material, which rolling friction opposes.</summary>
     private Vector3d Over(in Vector3d p, in Vector3d v) => Along(v - Velocity - Vector3d.Cross(Spin, p - Pivot), NormalAt(p));
 
-    /// <summary>A_t + r ω_n n × ṅ: the rate of the surface's velocity along the path, and what the ball's own turn about the normal adds.</summary>
+    /// <summary>Returns A_t + r ω_n n × ṅ: the rate of the surface's velocity along the path, plus the share of the ball's own spin about the normal.</summary>
     private Vector3d Drag(in Vector3d p, in Vector3d v, in Vector3d w)
     {
         Vector3d n = NormalAt(p);
@@ -158,7 +158,7 @@ internal sealed class CarrierModel
         return Along(surface, n) + (Radius * Vector3d.Dot(w, n) * Vector3d.Cross(n, rate));
     }
 
-    /// <summary>F/m: the friction that keeps the ball from slipping.</summary>
+    /// <summary>Returns F/m, the friction that keeps the ball from slipping.</summary>
     private Vector3d Hold(in Vector3d p, in Vector3d v, in Vector3d w) => Inertia / (1 + Inertia) * (Drag(p, v, w) - Along(Gravity, NormalAt(p)));
 
     private bool Grips() => Hold(Place, Moves, Turns).Length <= Sliding * Load(Place, Moves);
@@ -191,7 +191,7 @@ internal sealed class CarrierModel
         Vector3d brakes = speed > 0 ? (Rolling + (RollingBySpeed * speed)) * load / speed * over : default;
         acceleration = ((Along(Gravity, n) + (Inertia * Drag(p, v, w))) / (1 + Inertia)) - brakes + (follows * n);
 
-        // ω = ω_n n + n × (v − V_c)/r: the part along the surface follows from the path, so only ω_n is integrated, as X.
+        // ω = ω_n n + n × (v − V_c)/r: the tangential part follows from the path, so only ω_n is integrated, as X.
         Vector3d about = Vector3d.Dot(w, n) * n;
         spin = new Vector3d(Vector3d.Dot(damping, n) + Vector3d.Dot(w - about, rate), 0, 0);
     }
@@ -215,7 +215,7 @@ internal sealed class CarrierModel
         Pivot = o;
     }
 
-    /// <summary>The spin after a part of a step, at the place and velocity reached there.</summary>
+    /// <summary>Returns the spin after a part of a step, at the position and velocity reached there.</summary>
     private Vector3d Spun(in Vector3d w, double about, in Vector3d rate, double h, in Vector3d place, in Vector3d moves)
     {
         if (_slides)

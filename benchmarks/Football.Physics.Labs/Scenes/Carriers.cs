@@ -2,14 +2,14 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A ball on carriers that turn, accelerate in steps, are tilted or round, against a textbook integration of slip and roll.</summary>
+/// <summary>Compares a ball on carriers that turn, accelerate in steps, are tilted or round, with a textbook integration of slip and roll.</summary>
 internal sealed class Carriers : SceneKind
 {
     private const double Limit = 1e-6;
 
     /// <summary>
-    /// Less load than this share of the weight, or a slower roll, m/s, that friction brakes, ends the comparison: there the ball leaves, or comes to rest. So does a roll
-    /// that friction cannot hold: the model knows that instant only to its step.
+    /// The comparison ends at a load below this share of the weight, or at a slower roll, m/s, that friction brakes: there the ball leaves, or comes to rest.
+    /// It also ends when friction cannot hold a roll: the model finds that instant only to within its step.
     /// </summary>
     private const double LeastLoad = 0.05;
     private const double SlowestRoll = 0.2;
@@ -87,7 +87,7 @@ internal sealed class Carriers : SceneKind
             Turns = turns,
         };
 
-        // The motions of the carrier, frame by frame, up to where the comparison ends.
+        // The motions of the carrier, frame by frame, until the comparison ends.
         List<(Vector3d Pivot, double Angle, Vector3d Velocity, Vector3d Spin)> frames = [];
         Vector3d pivot = default;
         double angle = 0;
@@ -163,7 +163,7 @@ internal sealed class Carriers : SceneKind
         return (Math.Cos(tilt) * Vector3d.Up) + (Math.Sin(tilt) * towards);
     }
 
-    /// <summary>The rotation that takes the vertical to a normal.</summary>
+    /// <summary>Returns the rotation that turns the vertical into a normal.</summary>
     private static Quaterniond Upright(in Vector3d normal)
     {
         Vector3d axis = Vector3d.Cross(Vector3d.Up, normal);

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A ball that rolls against a dead, rough kerb, against the balance of angular momentum and energy.</summary>
+/// <summary>Compares a ball that rolls against a dead, rough kerb with the balance of angular momentum and energy.</summary>
 internal sealed class Kerbs : SceneKind
 {
     private const double Gravity = 9.81;
@@ -29,7 +29,7 @@ internal sealed class Kerbs : SceneKind
         double k = random.Any(2.0 / 3, 0.4);
         double radius = random.Chance(0.5) ? 0.11 : random.Uniform(0.06, 0.2);
 
-        // Higher or faster, the ball is not pressed against the edge and flies: v'² ≤ g (r − h) with v' = v (1 + k − h/r)/(1 + k). Near to that, it slips.
+        // If the kerb is higher or the ball faster, nothing presses the ball against the edge and it flies: v'² ≤ g (r − h) with v' = v (1 + k − h/r)/(1 + k). Near this limit, it slips.
         double height, fastest, share;
         do
         {

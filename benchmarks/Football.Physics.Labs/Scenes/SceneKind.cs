@@ -2,34 +2,34 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A kind of random scene with an independent answer.</summary>
+/// <summary>A kind of random scene with an independent reference.</summary>
 internal abstract class SceneKind
 {
-    /// <summary>The error of the steps is at most this share of the limit.</summary>
+    /// <summary>The largest error of the steps, as a share of the limit.</summary>
     private const double StepShare = 0.2;
 
-    /// <summary>A step is divided into no more parts than this.</summary>
+    /// <summary>The largest number of parts of a step.</summary>
     private const int MostParts = 64;
 
-    /// <summary>Its name, for the option and the table.</summary>
+    /// <summary>The name of the kind, for the option and the table.</summary>
     public abstract string Name { get; }
 
     /// <summary>The check, for the notes below the table.</summary>
     public abstract string Claim { get; }
 
-    /// <summary>How many scenes are played for each that is asked for.</summary>
+    /// <summary>The number of scenes simulated per requested scene.</summary>
     public virtual int Share => 1;
 
-    /// <summary>Plays one scene; an exception of the library is a fault too.</summary>
+    /// <summary>Simulates one scene; an exception of the library counts as a fault.</summary>
     /// <param name="seed">The seed of all scenes.</param>
-    /// <param name="index">The number of this one.</param>
+    /// <param name="index">The index of the scene.</param>
     public SceneOutcome Play(long seed, long index)
     {
         try
         {
             var random = new SeededRandom(SeededRandom.Mix(seed, index));
 
-            // The first number of neighbouring seeds is not independent.
+            // The first numbers of neighbouring seeds are not independent.
             random.Next();
             return Play(random);
         }
@@ -39,14 +39,12 @@ internal abstract class SceneKind
         }
     }
 
-    /// <summary>Draws and plays one scene.</summary>
+    /// <summary>Draws and simulates one scene.</summary>
     protected abstract SceneOutcome Play(SeededRandom random);
 
-    /// <summary>
-    /// Into how many parts the steps of a scene must be divided, so that their own error is a small share of the limit: what is left is the error of the contact.
-    /// </summary>
+    /// <summary>Returns the number of parts into which the steps of a scene are divided, so that their own error is a small share of the limit. The remaining error is that of the contact.</summary>
     /// <param name="limit">The limit, m or m/s.</param>
-    /// <param name="ofSteps">The difference between a run with so many parts and one with four times as many.</param>
+    /// <param name="ofSteps">Returns the difference between a run with this many parts and one with four times as many.</param>
     protected static int Divide(double limit, Func<int, double> ofSteps)
     {
         int parts = 1;

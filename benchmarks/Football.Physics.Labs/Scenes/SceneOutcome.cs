@@ -1,11 +1,11 @@
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>How the library did in one scene, against an independent answer.</summary>
-/// <param name="Group">Scenes that are counted together.</param>
+/// <summary>The result of the library in one scene, compared with an independent reference.</summary>
+/// <param name="Group">The group of scenes that are counted together.</param>
 /// <param name="Agrees">True if the library gives the same yes or no: hits, climbs, rests.</param>
 /// <param name="Error">The error of a number; 0 if only a yes or no is compared.</param>
-/// <param name="Limit">The largest error that holds.</param>
-/// <param name="Detail">Numbers to find the fault with.</param>
+/// <param name="Limit">The largest allowed error.</param>
+/// <param name="Detail">Numbers for finding the fault.</param>
 internal readonly record struct SceneOutcome(string Group, bool Agrees, double Error, double Limit, string Detail)
 {
     /// <summary>True if the library is right.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>By which part of the library a scene's shapes are known.</summary>
+/// <summary>The part of the library that holds the shapes of a scene.</summary>
 internal enum PieceKind
 {
     Obstacles,
@@ -9,7 +9,7 @@ internal enum PieceKind
 }
 
 /// <summary>Shapes that share one rigid motion about the origin of their frame: as obstacles, as bodies that the game moves, or as colliders of an engine.</summary>
-/// <param name="kind">Which of them.</param>
+/// <param name="kind">The kind of the pieces.</param>
 internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
 {
     private readonly List<(IShape Shape, SurfaceMaterial Surface)> _pieces = [];
@@ -40,7 +40,7 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
         }
     }
 
-    /// <summary>The scene with all shapes in it. Obstacles begin at the origin and keep this motion; their spin moves the surface alone.</summary>
+    /// <summary>Returns the scene with all shapes in it. Obstacles begin at the origin and keep this motion; their spin moves the surface only.</summary>
     public Scene In(Scene scene, Vector3d velocity = default, Vector3d spin = default) => Kind switch
     {
         PieceKind.Obstacles => scene with
@@ -55,7 +55,7 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
         _ => throw new InvalidOperationException($"{Kind} is no kind of piece"),
     };
 
-    /// <summary>Sets bodies and colliders for the step to come; obstacles go on by themselves.</summary>
+    /// <summary>Sets bodies and colliders for the next step; obstacles move by themselves.</summary>
     public void MoveTo(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
     {
         Time = time;
@@ -73,7 +73,7 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
 
     public void Cast(in SphereCast cast, EngineHits hits)
     {
-        // More than the sphere touches does no harm.
+        // Reporting more colliders than the sphere touches is harmless.
         foreach (EngineCollider collider in _colliders)
         {
             hits.Add(collider);

@@ -4,12 +4,12 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>football lab scenes: random seams, turning bodies, carriers, kerbs and slopes, each against an answer that does not come from the library.</summary>
+/// <summary>football lab scenes: compares random seams, turning bodies, carriers, kerbs and slopes with independent references.</summary>
 internal static class ScenesLab
 {
     private const int ByDefault = 1000;
 
-    /// <summary>Failures that are shown of a group.</summary>
+    /// <summary>The number of failures shown per group.</summary>
     private const int Shown = 3;
 
     private static readonly SceneKind[] s_kinds = [new Seams(), new Turns(), new Carriers(), new Kerbs(), new Slopes()];

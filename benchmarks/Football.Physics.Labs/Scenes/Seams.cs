@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A ball that crosses seams between flush surfaces, against the same ball on one surface.</summary>
+/// <summary>Compares a ball that crosses seams between flush surfaces with the same ball on one surface.</summary>
 internal sealed class Seams : SceneKind
 {
     private const double Limit = 1e-6;
@@ -58,7 +58,7 @@ internal sealed class Seams : SceneKind
         var one = new ScenePieces(kind);
         LayOne(one, lie, radius, surface);
 
-        // The errors of single steps may cancel out by the end, and those of a step with a seam in it then do not: the largest on the way counts.
+        // Errors of single steps may cancel out by the end, while errors of a step with a seam do not: use the largest error along the path.
         List<Vector3d> path = [];
         List<Vector3d> finer = [];
         BallState On(ScenePieces floor, int share, List<Vector3d> at) => End(scene, floor, position, velocity, spin, along, step, share, duration, at);
@@ -87,7 +87,7 @@ internal sealed class Seams : SceneKind
         return random.Chance(0.3) ? ground with { Material = ground.Material with { SlidingFriction = random.Uniform(0, 1), RollingResistance = random.Uniform(0, 0.2) } } : ground;
     }
 
-    /// <summary>Rolls, slides with a spin of its own, or slides without.</summary>
+    /// <summary>Draws a spin: a roll, a slide with its own spin, or a slide without spin.</summary>
     private static Vector3d Spin(SeededRandom random, in Vector3d velocity, double radius)
     {
         Vector3d rolling = Vector3d.Cross(Vector3d.Up, velocity) / radius;
@@ -100,11 +100,11 @@ internal sealed class Seams : SceneKind
         };
     }
 
-    /// <summary>Strips between parallel seams that the ball's way crosses: turned boxes whose tops are level, or boards whose faces are in one plane.</summary>
+    /// <summary>Lays strips between parallel seams across the ball's path: turned boxes with level tops, or boards with faces in one plane.</summary>
     private static void Lay(
         ScenePieces pieces, SeededRandom random, Lie lie, in Vector3d heading, double speed, double radius, SurfaceMaterial surface, double top)
     {
-        // At the boards a seam is upright; on the ground it is turned against the way by up to 80 degrees.
+        // At the boards a seam is upright; on the ground it is turned against the path by up to 80 degrees.
         double turn = lie == Lie.Boards ? 0 : random.Uniform(-1.4, 1.4);
         double angle = Math.Atan2(heading.X, heading.Z) + turn;
         int seams = 1 + random.Below(5);
@@ -134,7 +134,7 @@ internal sealed class Seams : SceneKind
         }
     }
 
-    /// <summary>The same without seams: nothing where the turf is that, else one piece.</summary>
+    /// <summary>Lays the same surface without seams: nothing if the turf is that surface, otherwise one piece.</summary>
     private static void LayOne(ScenePieces one, Lie lie, double radius, SurfaceMaterial surface)
     {
         if (lie != Lie.InTurf)
@@ -154,7 +154,7 @@ internal sealed class Seams : SceneKind
         pieces.MoveTo(default, Quaterniond.Identity, along, default, 0);
         var simulator = new Simulator(pieces.In(scene));
 
-        // In the frame of pieces that move along, the motion is the same.
+        // In the frame of the moving pieces, the motion is the same.
         BallState state = simulator.Launch(position, velocity + along, spin);
         var log = new StepLog();
         int steps = (int)Math.Round(duration / step);

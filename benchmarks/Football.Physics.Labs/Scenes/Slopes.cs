@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as a closed form or a textbook integration says.</summary>
+/// <summary>Tests a ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as in a closed form or a textbook integration.</summary>
 internal sealed class Slopes : SceneKind
 {
     private const double Limit = 1e-6;
@@ -12,7 +12,7 @@ internal sealed class Slopes : SceneKind
     private const double Gravity = 9.81;
     private const double Duration = 2;
 
-    /// <summary>A ball that is moved less than this, m, was put back onto the surface.</summary>
+    /// <summary>A ball that moved less than this, m, was only put back onto the surface.</summary>
     private const double Still = 1e-9;
 
     public override string Name => "slopes";
@@ -33,7 +33,7 @@ internal sealed class Slopes : SceneKind
             double load = -Vector3d.Dot(push, normal);
             double pull = Along(push, normal).Length / (1 + K);
 
-            // A hair's breadth decides nothing, and a ball that the wind lifts is another matter.
+            // Skip cases at the limit of friction, and balls that the wind lifts.
             if (load < 2 || Math.Abs(pull - (rolling * load)) < 1e-5 * pull || (pull < 1e-12 && rolling > 0))
             {
                 continue;
@@ -57,7 +57,7 @@ internal sealed class Slopes : SceneKind
         }
     }
 
-    /// <summary>The way from rest: in closed form without air and growth with speed, else by the classical Runge-Kutta method in steps of 0.1 ms.</summary>
+    /// <summary>Returns the path from rest: in closed form without air and without growth with speed, otherwise by the classical Runge-Kutta method in steps of 0.1 ms.</summary>
     private static Vector3d Roll(Vector3d normal, AirModel air, Vector3d weight, double rolling, double bySpeed)
     {
         Vector3d down = Along(weight, normal);
@@ -89,7 +89,7 @@ internal sealed class Slopes : SceneKind
             Vector3d all = weight + acceleration;
             Vector3d shared = (Along(all, normal) + (Vector3d.Cross(torque, normal) / (Mass * Radius))) / (1 + K);
 
-            // At zero speed the friction acts against the push, and so it does while it could turn the motion round within a step, where rounding would turn it.
+            // At zero speed the friction opposes the push. It also does so while it could reverse the motion within a step: rounding would reverse it there.
             Vector3d ahead = moves.Length > 10 * H * rolling * Gravity ? moves.Normalized() : shared.Normalized();
             return shared + ((rolling + (bySpeed * moves.Length)) * Vector3d.Dot(all, normal) * ahead);
         }

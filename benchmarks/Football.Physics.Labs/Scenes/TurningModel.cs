@@ -1,18 +1,18 @@
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>A shape that turns about its pivot and moves along, exactly, and the distance of a point from it: no code of the library's contacts.</summary>
+/// <summary>A shape that turns about its pivot and moves, exactly, and its distance from a point. It shares no code with the library's contacts.</summary>
 /// <param name="A">One end of a capsule, the centre of a sphere or box, in the frame of the pivot, m.</param>
 /// <param name="B">The other end of a capsule, or the half sizes of a box, m.</param>
 /// <param name="Thickness">The radius of a capsule or sphere, m; 0 for a box.</param>
 /// <param name="IsBox">True for a box.</param>
-/// <param name="Start">Where the pivot is at time 0, m.</param>
+/// <param name="Start">The position of the pivot at time 0, m.</param>
 /// <param name="Velocity">Velocity of the pivot, m/s.</param>
 /// <param name="Axis">The axis, of length 1.</param>
 /// <param name="Angle">The angle about the axis at time 0, rad.</param>
 /// <param name="Rate">The rate about the axis, rad/s.</param>
 internal sealed record TurningModel(Vector3d A, Vector3d B, double Thickness, bool IsBox, Vector3d Start, Vector3d Velocity, Vector3d Axis, double Angle, double Rate)
 {
-    /// <summary>A gap this small, m, is a hit.</summary>
+    /// <summary>A gap below this, m, is a hit.</summary>
     private const double Touches = 1e-10;
 
     /// <summary>The farthest point of the shape from the pivot, m.</summary>
@@ -20,15 +20,15 @@ internal sealed record TurningModel(Vector3d A, Vector3d B, double Thickness, bo
 
     public Vector3d PivotAt(double time) => Start + (time * Velocity);
 
-    /// <summary>The point of the shape that is at a place in its own frame, at a time.</summary>
+    /// <summary>Returns the point of the shape at a position in its own frame, at a time.</summary>
     public Vector3d WorldOf(in Vector3d own, double time) => PivotAt(time) + Turn(own, Angle + (Rate * time));
 
-    /// <summary>The velocity of the shape's material at a place, m/s.</summary>
+    /// <summary>Returns the velocity of the shape's material at a point, m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d at, double time) => Velocity + Vector3d.Cross(Rate * Axis, at - PivotAt(time));
 
-    /// <summary>The distance from the surface, m; negative inside a capsule, 0 inside a box.</summary>
+    /// <summary>Returns the distance from the surface, m; negative inside a capsule, 0 inside a box.</summary>
     /// <param name="point">The point, m.</param>
-    /// <param name="time">When, s.</param>
+    /// <param name="time">The time, s.</param>
     /// <param name="normal">The direction away from the shape; zero inside a box.</param>
     public double Distance(in Vector3d point, double time, out Vector3d normal)
     {
@@ -53,15 +53,15 @@ internal sealed record TurningModel(Vector3d A, Vector3d B, double Thickness, bo
         return distance - Thickness;
     }
 
-    /// <summary>Finds when a ball on a parabola first touches the shape; NaN if that does not happen.</summary>
-    /// <param name="place">Where the ball's centre is, by time.</param>
+    /// <summary>Returns the time at which a ball on a parabola first touches the shape; NaN if it does not.</summary>
+    /// <param name="place">Returns the position of the ball's centre at a time.</param>
     /// <param name="speed">A speed, m/s, that the ball does not exceed.</param>
     /// <param name="radius">Its radius, m.</param>
-    /// <param name="duration">How long to look, s.</param>
+    /// <param name="duration">The duration of the search, s.</param>
     /// <param name="least">The smallest gap, m; 0 after a hit.</param>
     public double FirstTouch(Func<double, Vector3d> place, double speed, double radius, double duration, out double least)
     {
-        // No gap closes faster than this, so that no step can miss a touch.
+        // No gap closes faster than this, so no step can miss a touch.
         double fastest = speed + Velocity.Length + (Math.Abs(Rate) * (Reach + radius)) + 1e-9;
         least = double.PositiveInfinity;
         double time = 0;
@@ -81,7 +81,7 @@ internal sealed record TurningModel(Vector3d A, Vector3d B, double Thickness, bo
         return double.NaN;
     }
 
-    /// <summary>Rodrigues' formula.</summary>
+    /// <summary>Rotates a vector by Rodrigues' formula.</summary>
     private Vector3d Turn(in Vector3d v, double angle)
     {
         double cosine = Math.Cos(angle);

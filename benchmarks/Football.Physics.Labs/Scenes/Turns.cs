@@ -2,13 +2,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
-/// <summary>Shapes that a game turns about a pivot, and a ball in their way, against an exact rotation whose gap is followed without a library's contact.</summary>
+/// <summary>Compares a ball in the path of shapes that a game turns about a pivot with an exact rotation. It follows the gap without the library's contacts.</summary>
 internal sealed class Turns : SceneKind
 {
     private const double Limit = 1e-3;
     private const double Radius = 0.11;
 
-    /// <summary>A pass or touch by less than this, m, decides nothing.</summary>
+    /// <summary>A pass or touch by less than this, m, is undecided.</summary>
     private const double Grazes = 1e-5;
 
     /// <summary>A touch that closes slower than this, m/s, may be a pass.</summary>
@@ -83,7 +83,7 @@ internal sealed class Turns : SceneKind
         }
     }
 
-    /// <summary>How fast the gap closes when the ball touches, m/s.</summary>
+    /// <summary>Returns the speed at which the gap closes when the ball touches, m/s.</summary>
     private static double Closing(TurningModel model, Func<double, Vector3d> at, in Vector3d velocity, double gravity, double touch)
     {
         Vector3d place = at(touch);
@@ -91,7 +91,7 @@ internal sealed class Turns : SceneKind
         return -Vector3d.Dot(velocity - (gravity * touch * Vector3d.Up) - model.SurfaceVelocity(place - (Radius * normal), touch), normal);
     }
 
-    /// <summary>A ball that would be near a random point of the shape at a random time, if the shape let it.</summary>
+    /// <summary>Draws a ball that would be near a random point of the shape at a random time, if the shape did not block it.</summary>
     private static (Vector3d From, Vector3d Velocity) Aim(SeededRandom random, TurningModel model, double gravity, double duration)
     {
         double time = random.Uniform(0.05, 0.9) * duration;
@@ -110,7 +110,7 @@ internal sealed class Turns : SceneKind
         pieces.Add(shape, s_rubber);
         var simulator = new Simulator(pieces.In(new Scene { Ball = BallProperties.Tunnel, Gravity = gravity, Ground = Ground.None, Forces = ForceSet.None }));
 
-        // The shape is put where it is before the ball is launched: a launch puts the ball out of every shape that it overlaps.
+        // Move the shape before the ball is launched: a launch moves the ball out of every shape that it overlaps.
         pieces.MoveTo(model.PivotAt(0), Quaterniond.FromAxisAngle(model.Axis, model.Angle), model.Velocity, model.Rate * model.Axis, 0);
         BallState state = simulator.Launch(from, velocity, default);
         var log = new StepLog();
