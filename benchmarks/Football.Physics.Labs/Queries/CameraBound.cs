@@ -1,9 +1,9 @@
 namespace FootballPhysics.Labs.Queries;
 
-/// <summary>The least variance that pixels allow: the bound of Cramér and Rao at the true launch, with what the fit is told (van Trees).</summary>
+/// <summary>The least variance that pixels allow: the Cramér–Rao bound at the true launch, with the fit's prior (van Trees).</summary>
 /// <remarks>
-/// It uses neither the fit nor the library's cameras: differences of simulated paths, its own pinhole, its own inversion. The ground, which no launch is below,
-/// is not in it, and a known launch is told without bias: a fit may be below the bound.
+/// It uses neither the fit nor the library's cameras: differences of simulated paths, its own pinhole, its own inversion. It ignores that no launch is
+/// below the ground, and the prior of the launch is unbiased. So a fit may be below the bound.
 /// </remarks>
 internal static class CameraBound
 {
@@ -11,17 +11,17 @@ internal static class CameraBound
     private const int Height = 1;
     private const int FirstSpin = 6;
 
-    /// <summary>Half the widths of the differences, m, m/s, rad/s; and by how much the launch is raised for them, m.</summary>
+    /// <summary>Half the widths of the differences, m, m/s, rad/s; and the height by which the launch is raised for them, m.</summary>
     private static readonly double[] s_steps = [1e-3, 5e-4, 1e-3, 1e-3, 1e-3, 1e-3, 1e-2, 1e-2, 1e-2];
     private const double Raised = 1e-3;
 
-    /// <summary>Sum of the variances of all places of a path, m².</summary>
-    /// <param name="path">The path of a launch, given position, velocity and spin.</param>
+    /// <summary>Returns the sum of the variances of all positions of a path, m².</summary>
+    /// <param name="path">Returns the path of a launch with this position, velocity and spin.</param>
     /// <param name="truth">The true launch.</param>
-    /// <param name="seen">The number of a place and the pinhole that sees it, once for each pixel.</param>
-    /// <param name="noise">The deviation of a pixel.</param>
-    /// <param name="heightVariance">The variance to which the height is known.</param>
-    /// <param name="spinVariance">The variance to which each component of the spin is known.</param>
+    /// <param name="seen">The index of a position and the pinhole that sees it, once per pixel.</param>
+    /// <param name="noise">The standard deviation of a pixel.</param>
+    /// <param name="heightVariance">The prior variance of the height.</param>
+    /// <param name="spinVariance">The prior variance of each component of the spin.</param>
     public static double Squares(
         Func<double[], Vector3d[]> path, double[] truth, IEnumerable<(int Place, Pinhole Camera)> seen, double noise, double heightVariance, double spinVariance)
     {
@@ -30,7 +30,7 @@ internal static class CameraBound
         Vector3d[] places = path(from);
         Vector3d[][] by = [.. s_steps.Select((step, j) => path(Moved(from, j, step)).Zip(path(Moved(from, j, -step)), (high, low) => (high - low) / (2 * step)).ToArray())];
 
-        // Information: Σ ∇u ∇uᵀ + ∇v ∇vᵀ over the pixels, and what is known before.
+        // The information: Σ ∇u ∇uᵀ + ∇v ∇vᵀ over the pixels, plus the prior.
         double[,] information = new double[Launch, Launch];
         information[Height, Height] = 1 / heightVariance;
         for (int i = FirstSpin; i < Launch; i++)
@@ -73,7 +73,7 @@ internal static class CameraBound
         return moved;
     }
 
-    /// <summary>The inverse by Gauss and Jordan, of the matrix scaled to a diagonal of 1.</summary>
+    /// <summary>Returns the inverse by Gauss–Jordan elimination of the matrix scaled to a diagonal of 1.</summary>
     private static double[,] Inverse(double[,] matrix)
     {
         int n = matrix.GetLength(0);
@@ -89,7 +89,7 @@ internal static class CameraBound
             }
         }
 
-        // Symmetric and positive: no pivots are needed.
+        // The matrix is symmetric and positive definite, so no pivots are needed.
         for (int i = 0; i < n; i++)
         {
             double pivot = a[i, i];
@@ -122,7 +122,7 @@ internal static class CameraBound
     }
 }
 
-/// <summary>A pinhole that looks at a point, with a level horizon.</summary>
+/// <summary>A pinhole camera that points at a target, with a level horizon.</summary>
 internal sealed class Pinhole
 {
     private readonly Vector3d _position;
@@ -141,7 +141,7 @@ internal sealed class Pinhole
         _focalLength = focalLength;
     }
 
-    /// <summary>By how many pixels a place moves in the image, per metre along a direction.</summary>
+    /// <summary>Returns the number of pixels by which a point moves in the image, per metre along a direction.</summary>
     public (double U, double V) Change(in Vector3d place, in Vector3d direction)
     {
         Vector3d from = place - _position;

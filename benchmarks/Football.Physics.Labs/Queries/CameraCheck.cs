@@ -2,20 +2,20 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
-/// <summary>Flights of random kicks, seen by fixed cameras at 50 Hz with a noise of one pixel, and how well fits of the pixels find them.</summary>
+/// <summary>Fits flights of random kicks from pixels, seen by fixed cameras at 50 Hz with a noise of one pixel, and measures the errors.</summary>
 internal sealed class CameraCheck
 {
-    /// <summary>The time for which a flight is seen at most, s.</summary>
+    /// <summary>The longest time for which a flight is seen, s.</summary>
     public const double Longest = 3;
 
     private const double Interval = 0.02;
     private const double Noise = 1;
 
-    /// <summary>The largest spin that is drawn, and the deviation of its components, which the fits are told, rad/s.</summary>
+    /// <summary>The largest spin that is drawn, and the standard deviation of its components, which is the prior of the fits, rad/s.</summary>
     private const double MostSpin = 60;
     private const double SpinDeviation = 20;
 
-    /// <summary>The deviation of the height of a launch on the ground, and the scale of that of another one seen from one viewpoint, m: what fits assume.</summary>
+    /// <summary>The standard deviation of the height of a launch on the ground, and the scale of the height of any other launch seen from one viewpoint, m: the prior of the fits.</summary>
     private const double Ground = 0.01;
     private const double Reach = 1;
 
@@ -34,11 +34,11 @@ internal sealed class CameraCheck
     private readonly double _inPlay;
     private readonly double _contact;
 
-    /// <summary>Prepares.</summary>
+    /// <summary>Prepares the cameras and the prior.</summary>
     /// <param name="cameras">The number of cameras.</param>
-    /// <param name="fromGround">Whether the fit is told that the ball starts on the ground.</param>
+    /// <param name="fromGround">True if the fit assumes that the ball starts on the ground.</param>
     /// <param name="inPlay">The share of flights that begin in the air.</param>
-    /// <param name="longest">The time for which a flight is seen at most, s.</param>
+    /// <param name="longest">The longest time for which a flight is seen, s.</param>
     public CameraCheck(int cameras, bool fromGround, double inPlay = 0, double longest = Longest)
     {
         _cameras = s_cameras[..cameras];
@@ -48,7 +48,7 @@ internal sealed class CameraCheck
         _contact = new Simulator(Scene.Measured).ContactHeight;
     }
 
-    /// <summary>Draws a kick, sees it, fits it. May run on several threads.</summary>
+    /// <summary>Draws a kick, computes its pixels and fits them. Thread-safe.</summary>
     public CameraFlight Run(SeededRandom random)
     {
         // 1. The kick: before the centre of the image, with its first bounces. 2. The pixels, until the ball leaves the image. 3. The fit, the bound, the errors.
@@ -80,10 +80,10 @@ internal sealed class CameraCheck
         return Judge(found, truth, path, bounces, least, cost);
     }
 
-    /// <summary>The variance to which a fit knows the height; of a Cauchy distribution, the inverse of its information.</summary>
+    /// <summary>The prior variance of the height; for a Cauchy distribution, the inverse of its information.</summary>
     private double HeightVariance => _fromGround ? Ground * Ground : _cameras.Length == 1 ? 2 * Reach * Reach : double.PositiveInfinity;
 
-    /// <summary>A launch: position, velocity, spin. From the ground, or played by foot, head or hand.</summary>
+    /// <summary>Draws a launch: position, velocity, spin. From the ground, or by foot, head or hand.</summary>
     private double[] Draw(SeededRandom random)
     {
         bool inPlay = _inPlay > 0 && random.Chance(_inPlay);
@@ -95,7 +95,7 @@ internal sealed class CameraCheck
         return [from.X, from.Y, from.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z];
     }
 
-    /// <summary>The places of a ball at the times of the images, and whether it bounces among them.</summary>
+    /// <summary>Returns the positions of a ball at the times of the images, and whether it bounces among them.</summary>
     private static Vector3d[] Path(double[] launch, int count, out bool bounces)
     {
         var simulator = new Simulator(Scene.Measured);
@@ -118,7 +118,7 @@ internal sealed class CameraCheck
         return path;
     }
 
-    /// <summary>The cost of what a fit knows before.</summary>
+    /// <summary>Returns the cost of the prior.</summary>
     private double Known(double[] launch)
     {
         double off = launch[1] - _contact;

@@ -72,7 +72,7 @@ internal static class CameraLab
         return report;
     }
 
-    /// <summary>The flights of a kind. Each has a seed of its own, whatever thread flies it.</summary>
+    /// <summary>Runs the flights of a kind. Each has a seed of its own, independent of the thread.</summary>
     private static CameraFlight[] Fly(Kind kind, long seed, int flights, int jobs, Progress progress)
     {
         var all = new CameraFlight[flights];
@@ -89,6 +89,6 @@ internal static class CameraLab
         return all;
     }
 
-    /// <summary>A way to see and fit the flights.</summary>
+    /// <summary>A set of cameras and assumptions for the fits.</summary>
     private sealed record Kind(string Name, CameraCheck Check, double Most);
 }

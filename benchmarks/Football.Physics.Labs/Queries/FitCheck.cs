@@ -3,35 +3,35 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
-/// <summary>Noisy tracks of random shots, seen 25 times a second to 2 cm, and how often the fit is within its own uncertainty.</summary>
+/// <summary>Fits noisy tracks of random shots, seen 25 times a second to 2 cm, and counts the fits within their own uncertainty.</summary>
 internal sealed class FitCheck
 {
     private const double Interval = 0.04;
     private const double Noise = 0.02;
 
-    /// <summary>Squared Mahalanobis distances that nineteen of twenty are within, by degrees of freedom from 9 on.</summary>
+    /// <summary>The 95 % quantiles of the squared Mahalanobis distance, by degrees of freedom from 9 on.</summary>
     private static readonly double[] s_limits = [16.919, 18.307, 19.675, 21.026, 22.362];
 
     private readonly TrackFit _fit = new(Scene.Measured);
 
-    /// <summary>Cases.</summary>
+    /// <summary>The number of cases.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Those of them of which all numbers together are within the region of 95 %.</summary>
+    /// <summary>The number of cases with all numbers together in the 95 % region.</summary>
     public int Within { get; private set; }
 
-    /// <summary>Those that did not converge.</summary>
+    /// <summary>The number of cases that did not converge.</summary>
     public int Lost { get; private set; }
 
-    /// <summary>Steps of all searches.</summary>
+    /// <summary>The steps of all searches.</summary>
     public long Iterations { get; private set; }
 
-    /// <summary>Of each number the cases in which it is within 1.96 standard deviations.</summary>
+    /// <summary>For each number, the cases in which it is within 1.96 standard deviations.</summary>
     public Dictionary<string, int> Each { get; } = [];
 
-    /// <summary>Draws a shot, sees it, fits it.</summary>
-    /// <param name="random">Numbers.</param>
-    /// <param name="also">Whether drag, lift, restitution and friction are to be found too.</param>
+    /// <summary>Draws a shot, samples its track and fits it.</summary>
+    /// <param name="random">The random numbers.</param>
+    /// <param name="also">True to fit drag, lift, restitution and friction too.</param>
     public void Run(SeededRandom random, bool also)
     {
         double[] factors = also ? [Normal(random, 1, 0.1), Normal(random, 1, 0.2), Normal(random, 1, 0.05), Normal(random, 1, 0.1)] : [];

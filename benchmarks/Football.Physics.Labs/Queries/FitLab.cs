@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
-/// <summary>football lab fit: whether fits of noisy tracks are within their own uncertainty as often as they say.</summary>
+/// <summary>football lab fit: compares how often fits of noisy tracks are within their uncertainty with the stated probability.</summary>
 internal static class FitLab
 {
     public static Command Create(Terminal terminal)

@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
-/// <summary>football lab scatter: the scatter of random shots against kicks that are drawn and flown one by one in double.</summary>
+/// <summary>football lab scatter: compares the scatter of random shots with kicks that are drawn and simulated one by one in double precision.</summary>
 internal static class ScatterLab
 {
     public static Command Create(Terminal terminal)
@@ -54,7 +54,7 @@ internal static class ScatterLab
         return report;
     }
 
-    /// <summary>The same by the single ball in double, with numbers of another generator.</summary>
+    /// <summary>Computes the same with the single ball in double precision, and numbers of another generator.</summary>
     private static GoalChanceResult Fly(
         Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player keeper, int kicks, long seed)
     {

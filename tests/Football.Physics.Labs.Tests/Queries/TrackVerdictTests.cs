@@ -112,10 +112,10 @@ public sealed class TrackVerdictTests
 
             // The true one fits as it should, wherever the wrong one has ended.
             Assert.InRange(found.ByBall[i % 2].ChiSquared, 0.5 * found.DegreesOfFreedom, 1.5 * found.DegreesOfFreedom);
-            bool tells = found.Verdict is TrackVerdict.OtherBall or TrackVerdict.Poor;
+            bool reports = found.Verdict is TrackVerdict.OtherBall or TrackVerdict.Poor;
             Assert.True(found.Verdict != TrackVerdict.Poor, "one of the balls explains it");
-            said += tells ? 1 : 0;
-            Assert.True(tells || off < 4.5, $"track {i}: {off:F1} deviations off, and nothing is said: {found.Explanation}");
+            said += reports ? 1 : 0;
+            Assert.True(reports || off < 4.5, $"track {i}: {off:F1} deviations off, and nothing is said: {found.Explanation}");
             Assert.True(found.Verdict != TrackVerdict.OtherBall || found.Explanation.Contains("too small", StringComparison.Ordinal));
         }
 
