@@ -1,15 +1,15 @@
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>The bounces of a match by the ball's speed along the ground: medians as seen, and as a surface returns the same balls.</summary>
+/// <summary>The bounces of a match by the ball's speed along the ground: medians as measured, and as a surface returns the same balls.</summary>
 internal static class BounceClasses
 {
     /// <summary>Classes of the speed along the ground before an impact, m/s.</summary>
     private static readonly (double From, double To)[] Classes = [(0, 6), (6, 10), (10, 100)];
 
-    /// <summary>Slower balls hop in the grass, m/s.</summary>
+    /// <summary>Slower balls hop in the grass and do not count, m/s.</summary>
     private const double LeastApproach = 1.2;
 
-    /// <summary>Medians of the bounces of each class that has any: first as seen, then by each surface.</summary>
+    /// <summary>Returns the medians of the bounces of each non-empty class: first as measured, then by each surface.</summary>
     /// <param name="fit">The match.</param>
     /// <param name="grounds">The surfaces.</param>
     public static IEnumerable<BounceRow> Of(MatchFitResult fit, IReadOnlyList<(string Name, Ground Ground)> grounds)
@@ -54,8 +54,8 @@ internal static class BounceClasses
     private static double Square(Vector3d v) => (v.X * v.X) + (v.Z * v.Z);
 
     /// <summary>
-    /// The spin before an impact: that of the flight. After another impact, whose short flight tells little of it: the spin with which the same surface lets the ball slip there as far as
-    /// its law says, at the velocity that was seen, Δω = n × Δv / r. A ball that gripped rolls.
+    /// Returns the spin before an impact, which is that of the flight. After another impact the short flight hardly determines it. The spin is then computed
+    /// from slip on the same surface by its law, at the measured velocity, Δω = n × Δv / r. A ball that gripped rolls.
     /// </summary>
     private static Vector3d SpinOf(Simulator simulator, IReadOnlyList<MatchPiece> pieces, MatchPiece piece)
     {
@@ -90,20 +90,20 @@ internal static class BounceClasses
         return new Bounce(after.Y / -before.Y, square > 0 ? ((before.X * after.X) + (before.Z * after.Z)) / square : 1, Friction(before, after));
     }
 
-    /// <summary>The impulse along the ground by the one off it.</summary>
+    /// <summary>Returns the tangential impulse over the normal impulse.</summary>
     private static double Friction(Vector3d before, Vector3d after) => Math.Sqrt(Square(after - before)) / Math.Max(1e-9, after.Y - before.Y);
 }
 
-/// <summary>What a bounce leaves: of the speed towards the ground, of that along it, and the impulse along the ground by the one off it.</summary>
-/// <param name="Restitution">Speed off the ground by that towards it.</param>
-/// <param name="Kept">Speed along the ground after by that before.</param>
-/// <param name="Friction">The impulse along the ground by the one off it.</param>
+/// <summary>The results of a bounce: the restitution, the share of the tangential speed that remains, and the tangential impulse over the normal one.</summary>
+/// <param name="Restitution">The normal speed after the bounce over that before.</param>
+/// <param name="Kept">The tangential speed after the bounce over that before.</param>
+/// <param name="Friction">The tangential impulse over the normal one.</param>
 internal readonly record struct Bounce(double Restitution, double Kept, double Friction);
 
 /// <summary>Medians of a class of bounces.</summary>
 /// <param name="Class">The class, in words.</param>
-/// <param name="Surface">The surface, or null for the bounces as seen.</param>
-/// <param name="Impacts">Number of bounces.</param>
+/// <param name="Surface">The surface; null for the bounces as measured.</param>
+/// <param name="Impacts">The number of bounces.</param>
 /// <param name="Median">Medians.</param>
-/// <param name="Off">Medians of the differences from what was seen, bounce by bounce.</param>
+/// <param name="Off">The medians of the differences from the measurement, bounce by bounce.</param>
 internal sealed record BounceRow(string Class, string? Surface, int Impacts, Bounce Median, Bounce Off);

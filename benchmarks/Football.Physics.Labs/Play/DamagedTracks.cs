@@ -29,7 +29,7 @@ internal sealed class DamagedTracks
     /// <summary>The index of that file, from 0.</summary>
     public int SlowestFile { get; private set; }
 
-    /// <summary>What should not happen.</summary>
+    /// <summary>The faults that were found.</summary>
     public List<string> Faults { get; } = [];
 
     /// <summary>Damages a track, reads it and fits it.</summary>
@@ -156,16 +156,16 @@ internal sealed class DamagedTracks
                     lines.Add("t,x,y,z");
                     break;
                 case 13:
-                    // A column twice.
+                    // Repeat a column.
                     int twice = random.Below(4);
                     Columns(lines, line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
                     break;
                 case 14:
-                    // All lines in another order, or twice.
+                    // Reorder or repeat all lines.
                     lines = random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines];
                     break;
                 case 15:
-                    // Two layouts in a file.
+                    // Mix two layouts in a file.
                     lines.AddRange(TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random));
                     break;
                 default:

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>football lab play: tracks of real matches beside the library's balls and surfaces; simulated matches, and damaged files.</summary>
+/// <summary>football lab play: compares tracks of real matches with the library's balls and surfaces; also simulated matches and damaged files.</summary>
 internal static class PlayLab
 {
     private static readonly double[] Noises = [0.005, 0.05];

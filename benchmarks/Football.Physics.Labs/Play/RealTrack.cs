@@ -3,13 +3,13 @@ using FootballPhysics.Tool.Fit;
 
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>The track of a real match, beside what balls and surfaces of the library would have done.</summary>
+/// <summary>Compares the track of a real match with the library's balls and surfaces.</summary>
 internal static class RealTrack
 {
-    /// <summary>Name of the turf of <see cref="Scene.Default"/>.</summary>
+    /// <summary>The name of the turf of <see cref="Scene.Default"/>.</summary>
     private const string Shipped = "default";
 
-    /// <summary>How far the median of a class of bounces may be off: by tracks of millimetres and of centimetres.</summary>
+    /// <summary>The largest error of the median of a class of bounces: for tracks with millimetres and with centimetres of noise.</summary>
     private const double Near = 0.05;
     private const double Coarse = 0.1;
 
@@ -18,7 +18,7 @@ internal static class RealTrack
         ("generic", BallProperties.Tunnel), ("brazuca", BallProperties.Brazuca), ("trionda", BallProperties.Trionda), ("modern", BallProperties.Modern),
     ];
 
-    /// <summary>The surfaces that are compared. One of them is the match turf as it was when one minute of one match was all that was known.</summary>
+    /// <summary>The surfaces to compare. One is the former match turf, from one minute of one match.</summary>
     private static readonly (string Name, Ground Ground)[] Grounds =
     [
         ("dryTurf", Ground.Of(SurfaceMaterial.DryTurf)), ("wetTurf", Ground.Of(SurfaceMaterial.WetTurf)), ("matchTurf", Ground.Of(SurfaceMaterial.MatchTurf)),
@@ -34,10 +34,10 @@ internal static class RealTrack
     ];
 
     /// <param name="file">The track.</param>
-    /// <param name="altitude">Metres over the sea.</param>
-    /// <param name="flights">Receives how each ball fits; null if that is not wanted.</param>
+    /// <param name="altitude">The altitude of the stadium above sea level, m.</param>
+    /// <param name="flights">Receives the fit of each ball; null to skip the fits.</param>
     /// <param name="impacts">Receives the bounces.</param>
-    /// <param name="windows">Receives slides and rolls.</param>
+    /// <param name="windows">Receives the slides and rolls.</param>
     /// <param name="report">Receives notes.</param>
     /// <param name="said">Receives remarks on the file.</param>
     public static void Add(string file, double? altitude, LabTable? flights, LabTable impacts, LabTable windows, LabReport report, Action<string> said)
@@ -60,7 +60,7 @@ internal static class RealTrack
         {
             foreach (bool fitted in (bool[])[false, true])
             {
-                // The ball as it ships, and with its drag fitted
+                // The ball with its default drag, and with its drag fitted.
                 MatchFitResult fit = Fit(track, properties, air, fitted);
                 flights!.Add(name, ball, fitted ? "drag, wind, height" : "wind, height", fit.Flights, 100 * fit.Rms, 100 * fit.Covered, Value(fit, "drag"), fit.Scene.Ball.DragCurve.CriticalReynolds, Limit(fit, ball, fitted));
                 last = fit;
@@ -86,7 +86,7 @@ internal static class RealTrack
 
     private static void AddImpacts(string file, MatchFitResult fit, LabTable table)
     {
-        // The turf of the default scene once, under that name.
+        // List the turf of the default scene once, under that name.
         foreach (BounceRow row in BounceClasses.Of(fit, [.. Grounds.Where(surface => surface.Name == Shipped || surface.Ground != Scene.Default.Ground)]))
         {
             bool isSeen = row.Surface is null;
@@ -97,7 +97,7 @@ internal static class RealTrack
         }
     }
 
-    /// <summary>Slides and rolls: the windows of the track, what they say together, and what the default turf has there.</summary>
+    /// <summary>Adds slides and rolls: the windows of the track, their combined result, and the default turf's values.</summary>
     private static void AddWindows(string file, MatchFitResult fit, LabTable table)
     {
         Ground shipped = Scene.Default.Ground;
@@ -120,6 +120,6 @@ internal static class RealTrack
         }
     }
 
-    /// <summary>True of a track of millimetres.</summary>
+    /// <summary>True if the noise of a track is a few millimetres.</summary>
     private static bool Sharp(MatchFitResult fit) => fit.Noise <= 0.005;
 }

@@ -1,22 +1,22 @@
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>How much of simulated minutes a fit finds, and how often the truth is where it says.</summary>
+/// <summary>Counts the pieces of simulated minutes that a fit finds, and the share of true values within its uncertainty.</summary>
 internal sealed class SyntheticCheck
 {
-    /// <summary>Flights from this on are counted, s.</summary>
+    /// <summary>Shorter flights are not counted, s.</summary>
     private const double Shortest = 0.3;
 
-    /// <summary>A flight is found where what the two have in common is more than this share of what they have together; a flight begins up to a frame before its first point.</summary>
+    /// <summary>A flight is found if the overlap of both intervals exceeds this share of their union. A flight begins up to a frame before its first point.</summary>
     private const double Overlap = 0.8;
     private const double Frame = SyntheticMatch.Interval;
 
-    /// <summary>A hop that rises no higher than so many deviations of a point is not told from a ball that rolls.</summary>
+    /// <summary>A hop that rises by no more than this many standard deviations of a point cannot be distinguished from rolling.</summary>
     private const double RiseShare = 5;
 
-    /// <summary>An event is found to within so much, s.</summary>
+    /// <summary>An event is found if its time is within this error, s.</summary>
     private const double EventError = 0.05;
 
-    /// <summary>Six numbers together are within a box of 95 % where each is within so many deviations.</summary>
+    /// <summary>Six numbers are in a joint 95 % box if each is within this many standard deviations.</summary>
     private const double Box = 2.631;
 
     private const double One = 1.96;
@@ -33,7 +33,7 @@ internal sealed class SyntheticCheck
 
     public int LaunchesWithin { get; private set; }
 
-    /// <summary>Numbers of the whole track, and those within 1.96 deviations.</summary>
+    /// <summary>The numbers of the track's fit, and those within 1.96 standard deviations.</summary>
     public int Numbers { get; private set; }
 
     public int NumbersWithin { get; private set; }
@@ -60,13 +60,13 @@ internal sealed class SyntheticCheck
             double first = from;
             from = time;
 
-            // Airborne all the time, and seen all the time: a gap or a seam in it makes two of it.
+            // Require a flight that is airborne and visible throughout: a gap or a seam splits it in two.
             bool flies = time - first >= Shortest && match.Truth.Where(ball => ball.Time > first + 1e-9 && ball.Time < time - 1e-9).All(ball => ball.Motion == MotionState.Airborne);
             bool isSeen = !match.Gaps.Exists(gap => gap.From < time && gap.To > first) && !Array.Exists(match.Seams, seam => seam > first && seam < time);
             double rise = match.Truth.Where(ball => ball.Time > first && ball.Time < time).Select(ball => ball.Position.Y).DefaultIfEmpty().Max()
                 - Math.Max(match.Truth.Last(ball => ball.Time <= first + 1e-9).Position.Y, match.Truth.Last(ball => ball.Time <= time + 1e-9).Position.Y);
-            bool canBeTold = !impact || rise > RiseShare * match.Noise;
-            if (!flies || !isSeen || !canBeTold)
+            bool isDistinct = !impact || rise > RiseShare * match.Noise;
+            if (!flies || !isSeen || !isDistinct)
             {
                 continue;
             }
@@ -89,7 +89,7 @@ internal sealed class SyntheticCheck
         }
     }
 
-    /// <summary>Velocity and spin at the beginning of a flight that was found; where that is a frame too early, as if the flight had begun then.</summary>
+    /// <summary>Returns the true velocity and spin at the start of a found flight. If the fit starts a frame too early, the truth is extrapolated to that time.</summary>
     private static (Vector3d Velocity, Vector3d Spin) TruthAt(SyntheticMatch match, double time, double first)
     {
         int at = match.Truth.FindIndex(ball => ball.Time > Math.Max(time - 1e-6, first));

@@ -2,13 +2,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>A minute of a match that was simulated, and what a tracker would have seen of it.</summary>
+/// <summary>A simulated minute of a match, and the track that a tracker would have recorded.</summary>
 internal sealed class SyntheticMatch
 {
     public const double Interval = 0.02;
     private const double Length = 60;
 
-    /// <summary>Half the size of a pitch, m.</summary>
+    /// <summary>Half the size of the pitch, m.</summary>
     private const double HalfLength = 50;
     private const double HalfWidth = 32;
 
@@ -16,7 +16,7 @@ internal sealed class SyntheticMatch
 
     private SyntheticMatch(SeededRandom random) => _random = random;
 
-    /// <summary>Wind, m/s, the factor of the drag, the height of the ground, m.</summary>
+    /// <summary>The wind, m/s, the factor of the drag, and the height of the ground, m.</summary>
     public Vector3d Wind { get; private set; }
 
     public double Drag { get; private set; }
@@ -26,23 +26,23 @@ internal sealed class SyntheticMatch
     /// <summary>Standard deviation of each coordinate, m.</summary>
     public double Noise { get; private init; }
 
-    /// <summary>The scene that a fit is to begin with: the ball without the factor, no wind.</summary>
+    /// <summary>The initial scene of a fit: the ball without the factor, no wind.</summary>
     public static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) };
 
-    /// <summary>The ball at every sample, before anything of a tracker.</summary>
+    /// <summary>The true ball at every sample.</summary>
     public List<BallState> Truth { get; } = [];
 
-    /// <summary>When something touched the ball or it hit the ground, in order, s.</summary>
+    /// <summary>The times at which a player touched the ball or it hit the ground, in order, s.</summary>
     public List<(double Time, bool Impact)> Events { get; } = [];
 
-    /// <summary>What the tracker saw.</summary>
+    /// <summary>The points that the tracker recorded.</summary>
     public List<TrackPoint> Seen { get; } = [];
 
-    /// <summary>Times without track, s.</summary>
+    /// <summary>The times without a track, s.</summary>
     public List<(double From, double To)> Gaps { get; } = [];
 
-    /// <summary>Plays a minute, and sees it.</summary>
-    /// <param name="random">Numbers.</param>
+    /// <summary>Simulates a minute and records its track.</summary>
+    /// <param name="random">The random numbers.</param>
     /// <param name="noise">Standard deviation of each coordinate, m.</param>
     public static SyntheticMatch Play(SeededRandom random, double noise)
     {
@@ -54,7 +54,7 @@ internal sealed class SyntheticMatch
 
     private void Play()
     {
-        // 1. A ball that lies is kicked. 2. It flies, bounces, rolls, until somebody touches it: in the air, at a bounce, or on the ground. 3. Again, towards the middle of the pitch.
+        // 1. Kick a ball at rest. 2. It flies, bounces and rolls until a player touches it: in the air, at a bounce, or on the ground. 3. Repeat, towards the middle of the pitch.
         Wind = new Vector3d(Normal(0, 1.5), 0, Normal(0, 1.5));
         Drag = Normal(1, 0.12);
         GroundHeight = _random.Uniform(-0.1, 0.1);
@@ -113,7 +113,7 @@ internal sealed class SyntheticMatch
 
     private double Wait() => _random.Chance(0.25) ? _random.Uniform(0.5, 1.2) : _random.Uniform(1.5, 6);
 
-    /// <summary>A kick, or a header; never along the ball's own way at its own speed.</summary>
+    /// <summary>Applies a kick or a header, never along the ball's own direction at its own speed.</summary>
     private void Touch(Simulator simulator, ref BallState ball)
     {
         Vector3d velocity;
@@ -131,7 +131,7 @@ internal sealed class SyntheticMatch
 
     private void See(double noise)
     {
-        // Noise; height wrong near the ground; up to two gaps, a seam, and points that jump.
+        // Add noise, a height error near the ground, up to two gaps, a seam, and outliers.
         int gaps = _random.Below(3);
         for (int i = 0; i < gaps; i++)
         {
@@ -160,7 +160,7 @@ internal sealed class SyntheticMatch
         Seams = [seam, seamEnd];
     }
 
-    /// <summary>When a seam began and ended, s.</summary>
+    /// <summary>The times at which a seam began and ended, s.</summary>
     public double[] Seams { get; private set; } = [];
 
     private double Normal(double mean, double deviation)

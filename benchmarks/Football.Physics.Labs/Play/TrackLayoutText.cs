@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;
 
-/// <summary>Writes a track in the layouts that the reader knows, one of <see cref="Count"/>, as lines of text.</summary>
+/// <summary>Writes a track as lines of text in one of the <see cref="Count"/> layouts that the reader supports.</summary>
 internal static class TrackLayoutText
 {
     /// <summary>The number of layouts.</summary>
@@ -18,10 +18,10 @@ internal static class TrackLayoutText
     /// <summary>Writes the points of a track.</summary>
     /// <param name="layout">The layout, 0 … <see cref="Count"/> − 1.</param>
     /// <param name="points">The points.</param>
-    /// <param name="random">Values of the columns that are not about the ball.</param>
+    /// <param name="random">The random numbers for the columns that are not about the ball.</param>
     public static List<string> Write(int layout, IReadOnlyList<TrackPoint> points, SeededRandom random)
     {
-        // z is up in a file.
+        // z is up in the file.
         double metre = layout is 2 or 7 ? 100 : 1;
         List<double[]> rows = [.. points.Select(point => (double[])[point.Time, metre * point.Position.X, -metre * point.Position.Z, metre * point.Position.Y])];
         return layout switch
