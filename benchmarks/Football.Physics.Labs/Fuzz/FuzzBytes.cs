@@ -3,10 +3,10 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Changes bytes that know nothing of what they mean.</summary>
+/// <summary>Changes bytes without regard to their meaning.</summary>
 internal static class FuzzBytes
 {
-    /// <summary>Bytes with so many changes in them.</summary>
+    /// <summary>Returns the bytes with a number of changes.</summary>
     public static byte[] Changed(SeededRandom random, ReadOnlySpan<byte> bytes, int changes)
     {
         List<byte> changed = [.. bytes];
@@ -45,7 +45,7 @@ internal static class FuzzBytes
         }
     }
 
-    /// <summary>Gives bytes the checksum that belongs to them, so that what reads them looks further.</summary>
+    /// <summary>Writes the matching checksum, so that the reader does not stop there.</summary>
     public static byte[] Sealed(byte[] bytes)
     {
         if (bytes.Length >= Crc32.Size)

@@ -1,4 +1,4 @@
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>An input led to what must not be.</summary>
+/// <summary>Thrown when an input leads to an invalid result.</summary>
 internal sealed class FuzzException(string what) : Exception(what);

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Numbers that programs stumble over.</summary>
+/// <summary>Numbers that often expose errors in programs.</summary>
 internal static class FuzzNumbers
 {
     private static readonly double[] s_edges =
@@ -11,7 +11,7 @@ internal static class FuzzNumbers
         100, 1000, 1e4, 1e6, 1e9, 1e12, 1e15, 1e17, 1e30, 1e35, 1e45, 1e60, 1e75, 1e100, 1e153, 1e200, 1e300, double.MaxValue,
     ];
 
-    /// <summary>One of them, or one next to it, or any.</summary>
+    /// <summary>Returns one of the numbers, a neighbour of one, or any number.</summary>
     public static double Any(SeededRandom random)
     {
         double number = random.Below(8) switch
@@ -26,7 +26,7 @@ internal static class FuzzNumbers
         return random.Chance(0.3) ? -number : number;
     }
 
-    /// <summary>The same, or none.</summary>
+    /// <summary>Returns such a number, or a number with random bits.</summary>
     public static double AnyBits(SeededRandom random) => random.Chance(0.2)
         ? random.Any(double.NaN, double.PositiveInfinity, double.NegativeInfinity, BitConverter.UInt64BitsToDouble(SeededRandom.Mix(random.Below(int.MaxValue), 3)))
         : Any(random);

@@ -3,17 +3,17 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Tries inputs of one kind, and counts what became of them.</summary>
+/// <summary>Tries inputs of one kind, and counts the results.</summary>
 internal sealed class FuzzRun(FuzzTarget target, long seed)
 {
-    /// <summary>An input that takes longer, ms, is tried again, and found if it always does.</summary>
+    /// <summary>An input that takes longer, ms, is tried again; it is a finding if every try takes longer.</summary>
     private const double Slow = 10_000;
 
-    /// <summary>How often it is tried again, and an input that takes longer than so many ms.</summary>
+    /// <summary>The number of further tries, and the time limit of an input, ms.</summary>
     private const int Again = 4;
     private const double Suspicious = 2000;
 
-    /// <summary>Bytes that an input may make the program ask for: some for every byte of it, and a few megabytes for what it says.</summary>
+    /// <summary>The limit of memory that an input may allocate, bytes.</summary>
     private const long MostMemory = 64L << 20;
 
     private const int MostMutations = 4;
@@ -29,13 +29,13 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
     /// <summary>The longest time that an input took, ms.</summary>
     public double Slowest { get; private set; }
 
-    /// <summary>The input that did.</summary>
+    /// <summary>The input that took longest.</summary>
     public long SlowestInput { get; private set; }
 
-    /// <summary>What must not be: how often, and the first input that leads to it.</summary>
+    /// <summary>The findings: the number of times, and the first input that leads to each.</summary>
     public SortedDictionary<string, (long Times, long Index)> Findings { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>The input with a number.</summary>
+    /// <summary>Returns the input with a number.</summary>
     public byte[] Input(long index)
     {
         var random = new SeededRandom(SeededRandom.Mix(KindSeed(), index));
@@ -50,7 +50,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
         (bool? refused, string? found, double time) = Try(input);
         for (int i = 0; i < Again && found is null && time > Suspicious; i++)
         {
-            // What else runs on the machine is not the input's.
+            // The minimum excludes the time of other programs on the machine.
             time = Math.Min(time, Try(input).Milliseconds);
         }
 
@@ -58,7 +58,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
 
         if (found is null && GC.GetAllocatedBytesForCurrentThread() - before > MostMemory)
         {
-            found = $"memory: more than {MostMemory >> 20} MiB asked for";
+            found = $"memory: more than {MostMemory >> 20} MiB allocated";
         }
 
         lock (_lock)
@@ -89,7 +89,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
         }
         catch (Exception e)
         {
-            // Whatever comes out of the library or the reader that is no refusal.
+            // Any other exception of the library or the reader is a finding.
             found = $"{e.GetType().Name}: {e.StackTrace?.Split('\n')[0].Trim()}";
         }
 

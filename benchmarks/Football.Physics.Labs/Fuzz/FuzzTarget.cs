@@ -2,32 +2,32 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>One kind of input that may come from anywhere.</summary>
+/// <summary>One kind of input from an untrusted source.</summary>
 internal abstract class FuzzTarget
 {
-    /// <summary>The kinds.</summary>
+    /// <summary>All kinds of inputs.</summary>
     public static IReadOnlyList<FuzzTarget> All { get; } = [new ScenarioFuzz(), new KickLogFuzz(), new SegmentFuzz(), new SnapshotFuzz()];
 
-    /// <summary>A step has no more evaluations, docs/troubleshooting.md.</summary>
+    /// <summary>The limit of evaluations per step, docs/troubleshooting.md.</summary>
     private const long MostEvaluations = 32_768;
 
-    /// <summary>What it is, in the plural.</summary>
+    /// <summary>The name of the inputs, in the plural.</summary>
     public abstract string Name { get; }
 
-    /// <summary>Makes an input out of a right one.</summary>
-    /// <param name="random">Where chance comes from.</param>
-    /// <param name="mutations">How much is changed.</param>
+    /// <summary>Makes an input from a valid one.</summary>
+    /// <param name="random">The random numbers.</param>
+    /// <param name="mutations">The number of changes.</param>
     public abstract byte[] Make(SeededRandom random, int mutations);
 
-    /// <summary>Reads an input and uses what it says.</summary>
-    /// <returns>True when it was refused, false when the answer was right.</returns>
-    /// <exception cref="FuzzException">What must not be.</exception>
+    /// <summary>Reads an input and uses it.</summary>
+    /// <returns>True if the input was rejected, false if it was accepted and the result is valid.</returns>
+    /// <exception cref="FuzzException">The result is invalid.</exception>
     public abstract bool Try(byte[] input);
 
-    /// <summary>The input as a message shows it.</summary>
+    /// <summary>Returns the input as text for messages.</summary>
     public virtual string Text(byte[] input) => Convert.ToHexString(input);
 
-    /// <summary>Holds that something must be.</summary>
+    /// <summary>Throws if a condition does not hold.</summary>
     protected static void Must(bool holds, string what)
     {
         if (!holds)
@@ -36,7 +36,7 @@ internal abstract class FuzzTarget
         }
     }
 
-    /// <summary>Steps a ball, and holds that the step is short and ends somewhere.</summary>
+    /// <summary>Steps a ball; throws unless the step is short and ends at a finite position.</summary>
     protected static void MustBeShort(Simulator simulator, ref BallState state, double step, long most = MostEvaluations)
     {
         var log = new StepLog(1);
@@ -45,7 +45,7 @@ internal abstract class FuzzTarget
         MustBeFinite(in state);
     }
 
-    /// <summary>Holds that a ball is somewhere.</summary>
+    /// <summary>Throws unless the ball's state is finite.</summary>
     protected static void MustBeFinite(in BallState state) => Must(
         state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && double.IsFinite(state.Time)
         && Math.Abs(state.Orientation.LengthSquared - 1) < 1e-5,

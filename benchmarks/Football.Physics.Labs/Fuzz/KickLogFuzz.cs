@@ -3,12 +3,12 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Kick logs: bytes that were changed, and bytes that were written with wild numbers.</summary>
+/// <summary>Kick logs: bytes that were changed, and logs written with extreme numbers.</summary>
 internal sealed class KickLogFuzz : FuzzTarget
 {
     public override string Name => "kick logs";
 
-    /// <summary>A log of a few kicks, as a game makes it.</summary>
+    /// <summary>Makes a log of a few kicks, as a game would.</summary>
     public static KickLog Log(SeededRandom random, int ticks)
     {
         var log = new KickLog();
@@ -22,7 +22,7 @@ internal sealed class KickLogFuzz : FuzzTarget
         return log;
     }
 
-    /// <summary>Kicks as they are written, some of their numbers wild.</summary>
+    /// <summary>Writes kicks in the file format, some of their numbers extreme.</summary>
     public static void Write(SeededRandom random, ref ByteWriter writer, KickLog log, double wild)
     {
         bool Wild() => random.Chance(wild);
@@ -42,7 +42,7 @@ internal sealed class KickLogFuzz : FuzzTarget
         }
     }
 
-    /// <summary>An integer at the end of some range.</summary>
+    /// <summary>Returns an integer at the end of some range.</summary>
     public static ulong Integer(SeededRandom random) =>
         random.Any<ulong>(0, 1, 2, 127, 128, int.MaxValue, uint.MaxValue, long.MaxValue, 1UL << 53, 1UL << 62, ulong.MaxValue, (ulong)random.Below(1000));
 

@@ -6,13 +6,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Scenarios as text: members with wild numbers, of other types, missing, misspelt, twice, and text that is no JSON.</summary>
+/// <summary>Scenarios as text: members with extreme numbers, of other types, missing, misspelt or repeated, and text that is not JSON.</summary>
 internal sealed class ScenarioFuzz : FuzzTarget
 {
-    /// <summary>Steps that an accepted scenario is played for: some scenes take 50 ms for each.</summary>
+    /// <summary>The number of steps for which an accepted scenario is simulated: some scenes take 50 ms per step.</summary>
     private const double MostSteps = 100;
 
-    /// <summary>Everything that a scenario may say.</summary>
+    /// <summary>A scenario with every member.</summary>
     private const string Whole = """
         {"ball": {"mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666},
          "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]}, "gravity": 9.81,
@@ -114,7 +114,7 @@ internal sealed class ScenarioFuzz : FuzzTarget
                 parent.Add(1);
                 break;
             default:
-                // Mostly what reaches the library: another number, or another word where there was one.
+                // Mostly change values that reach the library: a number becomes another number, a word another word.
                 bool word = leaf.GetValueKind() == System.Text.Json.JsonValueKind.String;
                 Replace(leaf, word ? JsonValue.Create(random.Any<string>(s_words)) : JsonValue.Create(FuzzNumbers.Any(random)));
                 break;

@@ -3,13 +3,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Match segments: what is accepted is played again, and says where it diverges.</summary>
-/// <param name="simulators">The scenes; default those of <see cref="SnapshotFuzz"/>.</param>
+/// <summary>Match segments: an accepted segment is replayed, and reports where it diverges.</summary>
+/// <param name="simulators">The scenes; default: the scenes of <see cref="SnapshotFuzz"/>.</param>
 internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) : FuzzTarget
 {
     private const int Ticks = 12;
 
-    /// <summary>Bytes before the time step.</summary>
+    /// <summary>The number of bytes before the time step.</summary>
     private const int Header = 5;
 
     private readonly IReadOnlyList<Simulator> _simulators = simulators ?? SnapshotFuzz.Simulators;
@@ -70,7 +70,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             }
             catch (ArgumentOutOfRangeException e) when (e.ParamName?.StartsWith("state.", StringComparison.Ordinal) == true)
             {
-                // No ball of this scene can have its state.
+                // No ball in this scene can have this state.
                 continue;
             }
             catch (ArgumentException)
@@ -98,7 +98,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
         return false;
     }
 
-    /// <summary>A segment as it is written, some of its numbers wild.</summary>
+    /// <summary>Writes a segment in the file format, some of its numbers extreme.</summary>
     private static byte[] Wild(SeededRandom random, Recording segment, ReadOnlySpan<byte> header, int mutations)
     {
         var writer = new ByteWriter();
@@ -126,7 +126,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             writer.Bits(part, 1);
         }
 
-        // No body, and none that was moved.
+        // No bodies, and no moved bodies.
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         KickLogFuzz.Write(random, ref writer, segment.Kicks, Is() ? mutations / 30.0 : 0);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);

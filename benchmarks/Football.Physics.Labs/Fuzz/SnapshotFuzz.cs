@@ -3,12 +3,12 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
-/// <summary>Snapshots: what is accepted is a ball, and every scene plays it.</summary>
+/// <summary>Snapshots: an accepted snapshot is a ball that every scene can simulate.</summary>
 internal sealed class SnapshotFuzz : FuzzTarget
 {
     private static readonly double[] s_steps = [0.01, 1.0 / 60, 0.1, 1];
 
-    /// <summary>Scenes that differ in what steps them.</summary>
+    /// <summary>Scenes with different stepping code.</summary>
     public static IReadOnlyList<Simulator> Simulators { get; } =
     [
         new(),
@@ -21,10 +21,10 @@ internal sealed class SnapshotFuzz : FuzzTarget
 
     public override string Name => "snapshots";
 
-    /// <summary>A state from somewhere in a match.</summary>
+    /// <summary>Returns a ball state from some moment of a match.</summary>
     public static BallState State(SeededRandom random) => State(random, Simulators[random.Below(Simulators.Count)]);
 
-    /// <summary>One of a ball of a scene.</summary>
+    /// <summary>Returns a ball state of a given scene.</summary>
     public static BallState State(SeededRandom random, Simulator simulator)
     {
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), random.Velocity(0, 30, 0, 60), 60 * random.Next() * random.Direction());
@@ -37,7 +37,7 @@ internal sealed class SnapshotFuzz : FuzzTarget
         return state;
     }
 
-    /// <summary>The words of a state, some of them wild.</summary>
+    /// <summary>Returns the words of a state, some of them extreme.</summary>
     public static byte[] Changed(SeededRandom random, in BallState state, int mutations)
     {
         var bytes = new byte[Snapshot.Size];
