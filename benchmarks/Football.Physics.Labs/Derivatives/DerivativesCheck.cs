@@ -2,8 +2,8 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Derivatives;
 
-/// <summary>Random flights of one kind, whose derivatives are compared with central differences of the simulation itself.</summary>
-/// <param name="kind">What kind.</param>
+/// <summary>Compares the derivatives of random flights of one kind with central differences of the simulation itself.</summary>
+/// <param name="kind">The kind of flights.</param>
 /// <param name="timeStep">Length of a step, s.</param>
 internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0.01)
 {
@@ -11,16 +11,16 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
     private const double Radius = 0.11;
 
     /// <summary>
-    /// The widest change of the launch, m/s; of the spin ten times that in rad/s. It is halved so often: wide differences pass from one course of events
-    /// to another, narrow ones magnify rounding. That one counts that agrees best with the next wider and the next narrower one.
+    /// The largest change of the launch, m/s; for the spin ten times as much in rad/s. It is halved repeatedly. Wide differences cross from one sequence of
+    /// events to another, narrow ones magnify rounding. The difference that agrees best with its next wider and next narrower neighbour counts.
     /// </summary>
     private const double Widest = 3.2e-3;
     private const int Halvings = 15;
 
-    /// <summary>Those that agree to this share of themselves need no narrower ones.</summary>
+    /// <summary>Differences that agree to this share of their size need no narrower ones.</summary>
     private const double Agreed = 1e-9;
 
-    /// <summary>No flight is judged by differences that are less certain than this share of what is judged.</summary>
+    /// <summary>A flight is not judged if its differences are less certain than this share of the allowed error.</summary>
     private const double Certain = 0.3;
 
     private readonly Simulator _simulator = new(DerivativesScenes.Of(kind));
@@ -31,16 +31,16 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
     /// <summary>The largest error of each flight, as a share of the largest entry of its block.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>Flights of which the differences themselves are no better than what is judged: at no width do they agree.</summary>
+    /// <summary>The number of flights whose differences do not agree at any width, so that they are no better than the derivatives under test.</summary>
     public int Uncertain { get; private set; }
 
-    /// <summary>Flights on the edge of another course: at no four widths in a row do all changed launches go through the same.</summary>
+    /// <summary>The number of flights at the edge of another sequence of events: no four adjacent widths give the same sequence for all changed launches.</summary>
     public int OnEdge { get; private set; }
 
-    /// <summary>Events that the flights went through.</summary>
+    /// <summary>The events of all flights.</summary>
     public Dictionary<BallEventKind, int> Events { get; } = [];
 
-    /// <summary>Draws a flight and compares.</summary>
+    /// <summary>Draws a flight and compares its derivatives.</summary>
     public void Run(SeededRandom random)
     {
         (Vector3d position, Vector3d velocity, Vector3d spin) = DerivativesScenes.Launch(kind, random);
@@ -66,7 +66,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
             double uncertainTime = 0;
             for (int axis = 0; axis < 3; axis++)
             {
-                // In another number of pieces the end is another one by the error of a step, which is no derivative: that counts only where nothing else does.
+                // Another number of pieces shifts the end by the error of a step, which is not part of the derivative. Use those differences only if there are no others.
                 int column = (3 * block) + axis;
                 if (!Difference(position, velocity, spin, column, stopAt, duration, events, pieces, out Difference difference)
                     && !Difference(position, velocity, spin, column, stopAt, duration, events, null, out difference))
@@ -81,7 +81,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
                 uncertainTime = Math.Max(uncertainTime, difference.TimeError);
             }
 
-            // What a spin does is measured by a tenth of what its surface speed would do as a velocity, where it does less.
+            // Compare the effect of a spin with at least a tenth of the effect of its surface speed as a velocity.
             double largest = Math.Max(wanted.Max(Largest), 0.1 * Radius * velocityBlock);
             double largestTime = Math.Max(wantedTimes.Max(Math.Abs), 0.1 * Radius * velocityTimes);
             (velocityBlock, velocityTimes) = block == 0 ? (largest, largestTime) : (velocityBlock, velocityTimes);
@@ -127,7 +127,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         }
     }
 
-    /// <summary>The change of place and time at the end, by differences of fourth order: the place by those widths that agree best on it, the time likewise.</summary>
+    /// <summary>Computes the change of position and time at the end, by differences of fourth order. Position and time each use the widths that agree best.</summary>
     private bool Difference(
         Vector3d position, Vector3d velocity, Vector3d spin, int column, StopAt stopAt, double duration, BallEvent[] events, long? pieces, out Difference best)
     {
@@ -193,7 +193,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         return true;
     }
 
-    /// <summary>Plays a shot.</summary>
+    /// <summary>Simulates a shot.</summary>
     private void End(Vector3d position, Vector3d velocity, Vector3d spin, StopAt stopAt, double duration, out Vector3d place, out double time)
     {
         _log.Clear();
@@ -203,7 +203,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         time = state.Time;
     }
 
-    /// <summary>Whether the same things happened to the last shot; in so many pieces, where it is said in how many.</summary>
+    /// <summary>True if the last shot had the same events and, if a number of pieces is given, the same number of pieces.</summary>
     private bool IsSame(BallEvent[] events, long? pieces)
     {
         bool same = (pieces is null || _log.Steps == pieces) && _log.Events.Count == events.Length;

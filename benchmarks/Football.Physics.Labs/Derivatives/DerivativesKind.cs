@@ -1,18 +1,18 @@
 namespace FootballPhysics.Labs.Derivatives;
 
-/// <summary>What the flights go through whose derivatives are compared.</summary>
+/// <summary>The kinds of flights whose derivatives are compared.</summary>
 internal enum DerivativesKind
 {
-    /// <summary>Air and level ground of the published profile.</summary>
+    /// <summary>Air and level ground; the published profile.</summary>
     Published,
 
-    /// <summary>Air and level ground of the measured profile.</summary>
+    /// <summary>Air and level ground; the measured profile.</summary>
     Measured,
 
     /// <summary>A goal with posts, bar and nets; the measured profile.</summary>
     Goal,
 
-    /// <summary>A slope and things that stand and move on it; the published profile.</summary>
+    /// <summary>A slope with standing and moving objects; the published profile.</summary>
     Slope,
 
     /// <summary>Hills; the measured profile.</summary>

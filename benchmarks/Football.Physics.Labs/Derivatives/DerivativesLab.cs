@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Derivatives;
 
-/// <summary>football lab derivatives: derivatives by the launch of random flights against central differences of the simulation.</summary>
+/// <summary>football lab derivatives: compares derivatives of random flights by the launch with central differences of the simulation.</summary>
 internal static class DerivativesLab
 {
     public static Command Create(Terminal terminal)

@@ -23,7 +23,7 @@ internal static class DerivativesScenes
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };
 
-    /// <summary>A launch from the ground, or just above it.</summary>
+    /// <summary>Draws a launch from the ground, or just above it.</summary>
     public static (Vector3d Position, Vector3d Velocity, Vector3d Spin) Launch(DerivativesKind kind, SeededRandom random)
     {
         Vector3d spin = random.Uniform(3, 60) * random.Direction();
@@ -32,7 +32,7 @@ internal static class DerivativesScenes
             return (new Vector3d(0, 0.11, 0), random.Velocity(5, 32, 3, 50), spin);
         }
 
-        // Towards the goal, the wall, the player.
+        // Aim at the goal, the wall or the player.
         double speed = random.Uniform(8, 30);
         var target = new Vector3d(random.Uniform(-4.2, 4.2), random.Uniform(0, 2.7), kind == DerivativesKind.Slope ? -8 : -12);
         var from = new Vector3d(0, 0.5, 0);
