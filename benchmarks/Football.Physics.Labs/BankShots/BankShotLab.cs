@@ -5,10 +5,10 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.BankShots;
 
-/// <summary>football lab bankshots: kicks to where a random kick came after bounces, off a wall, off a post.</summary>
+/// <summary>football lab bankshots: aims at points that a random kick reached after bounces, off a wall, off a post.</summary>
 internal static class BankShotLab
 {
-    /// <summary>What is to be met, in a scene that has it, and in which azimuths, degrees.</summary>
+    /// <summary>The kinds of bank shots: the obstacle, the range of azimuths in degrees, and the contacts on the path.</summary>
     private static readonly (string Name, double Least, double Most, string[] After)[] Kinds =
     [
         ("one bounce", -15, 15, ["ground"]), ("two bounces", -15, 15, ["ground", "ground"]), ("off the wall", 20, 70, ["wall"]), ("bounce, wall", 20, 70, ["ground", "wall"]),

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Intercept;
 
-/// <summary>Random flights and runners, whose windows are compared with a dense scan.</summary>
+/// <summary>Compares the windows of random runners on random flights with a dense scan.</summary>
 internal sealed class InterceptCheck(Scene scene)
 {
     private const double TimeStep = 0.01;
@@ -17,21 +17,21 @@ internal sealed class InterceptCheck(Scene scene)
     /// <summary>Windows of the scan that were not found.</summary>
     public int Lost { get; private set; }
 
-    /// <summary>Windows that were found although he does not meet the ball in their middle.</summary>
+    /// <summary>Windows that were found although the runner does not reach the ball in their middle.</summary>
     public int Invented { get; private set; }
 
-    /// <summary>Windows and gaps that were found and are too short for the scan.</summary>
+    /// <summary>Windows and gaps that are correct but too short for the scan.</summary>
     public int Short { get; private set; }
 
-    /// <summary>Flights of which another runner is first than the scan says.</summary>
+    /// <summary>Flights for which the first runner differs from the scan's.</summary>
     public int WrongFirst { get; private set; }
 
-    /// <summary>The largest error of an end, s.</summary>
+    /// <summary>The largest error of the start or end of a window, s.</summary>
     public double Worst { get; private set; }
 
     public bool Holds => Lost + Invented + WrongFirst == 0 && Worst <= 1e-6;
 
-    /// <summary>Draws a flight and its runners, and compares.</summary>
+    /// <summary>Draws a flight and its runners, and compares their windows with the scan.</summary>
     public void Run(SeededRandom random)
     {
         Vector3d velocity = random.Velocity(4, 33, -2, 55);
@@ -50,7 +50,7 @@ internal sealed class InterceptCheck(Scene scene)
 
     private Player Draw(SeededRandom random)
     {
-        // Near some place of the way, so that windows begin and end in every manner.
+        // Near a random point of the path, so that windows begin and end in every manner.
         Vector3d place = _path.PositionAt(random.Uniform(_path.StartTime, _path.EndTime));
         double high = random.Any(0.2, 0.6, 1.2, 2.3, 2.7) * random.Uniform(0.9, 1.1);
         return new Player
@@ -78,7 +78,7 @@ internal sealed class InterceptCheck(Scene scene)
             List<(double From, double To)> found = Found(i, runners[i], scan, wanted);
             Windows += found.Count;
 
-            // What was found first and is right, be it too short for the scan.
+            // The first window that is right, even if it is too short for the scan.
             ReadOnlySpan<InterceptWindow> own = _interception.WindowsOf(i);
             double begins = Math.Min(wanted.Count > 0 ? wanted[0].From : double.PositiveInfinity, own.Length > 0 ? own[0].From : double.PositiveInfinity);
             if (begins < earliest)
@@ -103,9 +103,7 @@ internal sealed class InterceptCheck(Scene scene)
         WrongFirst += first == _interception.First ? 0 : 1;
     }
 
-    /// <summary>
-    /// What was found, without windows and gaps that the scan steps over: those are right where the ball is met, or is not, in their middle.
-    /// </summary>
+    /// <summary>Returns the windows without windows and gaps that are too short for the scan. Those are checked in their middle: the runner reaches the ball there, or does not.</summary>
     private List<(double From, double To)> Found(int index, Player runner, MeetingScan scan, List<(double From, double To)> wanted)
     {
         const double Seen = 2.1e-4;

@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Intercept;
 
-/// <summary>football lab intercept: windows of random runners on random flights against a dense scan.</summary>
+/// <summary>football lab intercept: compares windows of random runners on random flights with a dense scan.</summary>
 internal static class InterceptLab
 {
     public static Command Create(Terminal terminal)

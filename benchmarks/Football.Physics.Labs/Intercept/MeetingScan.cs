@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs.Intercept;
 
-/// <summary>When a runner can meet a ball, by asking again and again: what the search with bounds is compared with.</summary>
+/// <summary>Finds when a runner can reach a ball by sampling: the reference for the search with bounds.</summary>
 internal sealed class MeetingScan
 {
     private const double Step = 1e-4;
@@ -19,7 +19,7 @@ internal sealed class MeetingScan
         }
     }
 
-    /// <summary>The windows, those shorter than a step of the scan only by luck; ends to 0.1 ns.</summary>
+    /// <summary>Returns the windows, with ends to 0.1 ns. Windows shorter than a step of the scan are found only by chance.</summary>
     public List<(double From, double To)> Windows(Player runner)
     {
         var windows = new List<(double From, double To)>();
@@ -53,7 +53,7 @@ internal sealed class MeetingScan
         return windows;
     }
 
-    /// <summary>Whether he meets the ball at a time: the definition, word by word.</summary>
+    /// <summary>True if the runner reaches the ball at a time, by the literal definition.</summary>
     public bool Meets(Player runner, double time) => Meets(runner, time, _path.PositionAt(time));
 
     private static bool Meets(Player runner, double time, Vector3d ball)

@@ -5,9 +5,9 @@ internal static class BoardDrops
 {
     private const double Radius = 0.11;
 
-    /// <summary>The least and the greatest restitution that come out.</summary>
-    /// <param name="step">Length of a step, s.</param>
-    /// <param name="drops">How many heights.</param>
+    /// <summary>Returns the least and the greatest measured restitution.</summary>
+    /// <param name="step">The time step, s.</param>
+    /// <param name="drops">The number of heights.</param>
     public static (double Least, double Greatest) Measure(double step, int drops)
     {
         var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.1, 1)), Surface = SurfaceMaterial.PublishedGoalFrame with { NormalRestitution = 0.6 } };

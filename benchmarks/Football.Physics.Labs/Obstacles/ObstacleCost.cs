@@ -3,14 +3,14 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Obstacles;
 
-/// <summary>The time of a flight step by how many things there are, beside an empty pitch.</summary>
+/// <summary>Measures the time of a flight step by the number of obstacles, compared with an empty pitch.</summary>
 internal static class ObstacleCost
 {
     private const double Step = 0.01;
     private const int Steps = 60;
     private const int Balls = 64;
 
-    /// <summary>The table: things of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
+    /// <summary>Returns the table: objects of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
     public static LabTable Table(long seed, bool quick)
     {
         var table = new LabTable("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "over them, times", "among them", "among them, times", "hits a flight");
@@ -38,7 +38,7 @@ internal static class ObstacleCost
         return new Simulator(Scene.Published with { Obstacles = posts }, new SolverSettings { Integrator = Integrator.Rk2 });
     }
 
-    /// <summary>The least time of a step of several rounds, ns, and hits a flight.</summary>
+    /// <summary>Returns the least time of a step over several rounds, ns, and the hits per flight.</summary>
     private static (double Nanoseconds, double Hits) Time(Simulator simulator, long seed, double height, int rounds)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, 11));

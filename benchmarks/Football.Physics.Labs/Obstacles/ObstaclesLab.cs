@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Obstacles;
 
-/// <summary>football lab obstacles: what things to hit cost, and how well they are hit, beside a rigid-body engine's way.</summary>
+/// <summary>football lab obstacles: the cost and accuracy of hits, compared with the method of a rigid-body engine.</summary>
 internal static class ObstaclesLab
 {
     private const int Shots = 2000;
@@ -24,10 +24,10 @@ internal static class ObstaclesLab
             quick);
     }
 
-    /// <summary>Measures all of it.</summary>
+    /// <summary>Runs all measurements.</summary>
     /// <param name="seed">Seed of the shots.</param>
-    /// <param name="quick">Less of everything.</param>
-    /// <param name="progress">Told how far it is.</param>
+    /// <param name="quick">True for a small sample.</param>
+    /// <param name="progress">Receives the progress.</param>
     public static LabReport Run(long seed, bool quick, Progress progress)
     {
         int shots = quick ? Shots / 20 : Shots;
@@ -62,7 +62,7 @@ internal static class ObstaclesLab
         }
 
         report.Tables.Add(drops);
-        report.Notes.Add("The engine's way: symplectic Euler, contacts found where the ball is at the end of a frame, pushed out and answered there. In vacuum, without friction, so that only when and where the contact is found tells.");
+        report.Notes.Add("The engine's method: symplectic Euler; it finds contacts at the ball's position at the end of a frame, and pushes out and resolves them there. The test is in vacuum, without friction, so that only the time and position of the contact matter.");
         return report;
     }
 }

@@ -2,27 +2,27 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Obstacles;
 
-/// <summary>Shots at a post that all would hit it: how many pass through, and how far off the others' rebound is.</summary>
-/// <param name="Passed">How many passed through.</param>
-/// <param name="Mean">Mean error of the rebound's direction of those that did not, degrees.</param>
-/// <param name="Worst">The worst, degrees.</param>
+/// <summary>Shots at a post that all should hit it: the number that pass through, and the error of the others' rebound.</summary>
+/// <param name="Passed">The number that passed through.</param>
+/// <param name="Mean">The mean error of the rebound's direction, over the shots that hit, degrees.</param>
+/// <param name="Worst">The largest error, degrees.</param>
 internal sealed record PostShots(int Passed, double Mean, double Worst)
 {
     private const double BallRadius = 0.11;
     private const double PostRadius = 0.06;
     private const double Reach = BallRadius + PostRadius;
 
-    /// <summary>The post is so far, m.</summary>
+    /// <summary>The distance of the post, m.</summary>
     private const double Away = 5;
 
     private const double Restitution = 0.7;
 
     private static readonly Vector3d s_post = new(0, 0, -Away);
 
-    /// <summary>As a rigid-body engine does it.</summary>
+    /// <summary>Shoots with the method of a rigid-body engine.</summary>
     public static PostShots ByEngine(long seed, int shots, double speed, double step) => Measure(seed, shots, speed, (from, velocity) => EngineShot(from, velocity, step));
 
-    /// <summary>As it is done here.</summary>
+    /// <summary>Shoots with the library.</summary>
     public static PostShots Here(long seed, int shots, double speed, double step)
     {
         var post = new Obstacle
@@ -53,7 +53,7 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
         double worst = 0;
         for (int i = 0; i < shots; i++)
         {
-            // Off the post's middle by up to nine tenths of what still hits; from anywhere within a step.
+            // Off the post's axis by up to nine tenths of the reach; the start is random within a step.
             var from = new Vector3d(random.Uniform(-0.9, 0.9) * Reach, 0, random.Next());
             var velocity = new Vector3d(0, 0, -speed);
             Vector3d after = play(from, velocity);
@@ -63,7 +63,7 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
                 continue;
             }
 
-            // v − (1 + e)(v·n) n where the centre comes within both radii of the axis.
+            // v − (1 + e)(v·n) n, if the centre comes within both radii of the axis.
             double x = from.X / Reach;
             var normal = new Vector3d(x, 0, Math.Sqrt(1 - (x * x)));
             Vector3d exact = velocity - ((1 + Restitution) * Vector3d.Dot(in velocity, in normal) * normal);
@@ -89,7 +89,7 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
             double distance = Math.Sqrt((x * x) + (z * z));
             if (distance < Reach && distance > 0)
             {
-                // Found at the frame's end, pushed out and answered there.
+                // The contact is found at the end of the frame; push the ball out and resolve the impact there.
                 (double nx, double nz) = (x / distance, z / distance);
                 state.Position = new PlainVector(s_post.X + (Reach * nx), 100, s_post.Z + (Reach * nz));
                 double closing = (state.Velocity.X * nx) + (state.Velocity.Z * nz);

@@ -11,7 +11,7 @@ internal static class ZoneDraw
     private static readonly double[] s_steps = [0.01, 1.0 / 60, 0.02, 0.05];
     private static readonly Integrator[] s_methods = [Integrator.Rk4, Integrator.Rk4, Integrator.Rk4, Integrator.Rk2, Integrator.SemiImplicitEuler];
 
-    /// <summary>A case: a scene without zones, a kick in it, and the step.</summary>
+    /// <summary>Draws a case: a scene without zones, a kick in it, and the step.</summary>
     public static ZoneCase Kick(SeededRandom random)
     {
         int among = (int)random.Uniform(0, 4);
@@ -38,7 +38,7 @@ internal static class ZoneDraw
         };
     }
 
-    /// <summary>A zone near a point of the path.</summary>
+    /// <summary>Draws a zone near a point of the path.</summary>
     public static Zone Zone(SeededRandom random, int index, in Vector3d near)
     {
         int shape = (int)random.Uniform(0, Shapes.Length);
@@ -103,7 +103,7 @@ internal sealed record ZoneCase
     public required Vector3d Spin { get; init; }
 }
 
-/// <summary>A ring around a vertical axis, as a game's own shape: it has a hole, and a hollow inside.</summary>
+/// <summary>A ring around a vertical axis, as a custom shape: it has a hole, and a hollow inside.</summary>
 internal sealed class RingShape(Vector3d center, double radius, double thickness) : IShape
 {
     public double MaximumConcaveCurvature => 1.0 / (radius - thickness);

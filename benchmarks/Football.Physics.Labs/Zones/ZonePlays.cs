@@ -3,47 +3,47 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Zones;
 
-/// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
+/// <summary>Simulates random kicks with and without zones, and compares the events with dense samples of the path.</summary>
 internal sealed class ZonePlays
 {
-    /// <summary>Times that are not farther apart, s, agree.</summary>
+    /// <summary>Times that differ by no more than this, s, agree.</summary>
     public const double Allowed = 1e-6;
 
-    /// <summary>Between two samples of the path, s.</summary>
+    /// <summary>The interval between two samples of the path, s.</summary>
     private const double Spacing = 2e-4;
 
-    /// <summary>How long a kick is followed, s.</summary>
+    /// <summary>The time for which a kick is followed, s.</summary>
     private const double Duration = 1.5;
 
-    /// <summary>So far, m, from the border a crossing is a graze, whose time may be uncertain and that need not be reported.</summary>
+    /// <summary>A crossing that stays within this distance of the border, m, is a graze: its time is uncertain and it need not be reported.</summary>
     private const double Graze = 1e-8;
 
     private readonly PiecePath _path = new();
     private readonly List<Crossing> _expected = [];
-    private readonly List<Crossing> _told = [];
+    private readonly List<Crossing> _reported = [];
 
-    /// <summary>Kicks.</summary>
+    /// <summary>The number of kicks.</summary>
     public int Cases { get; private set; }
 
-    /// <summary>Events by shape.</summary>
+    /// <summary>The number of events by shape.</summary>
     public int[] Events { get; } = new int[ZoneDraw.Shapes.Length];
 
-    /// <summary>Crossings that were found by samples and not reported.</summary>
+    /// <summary>The number of sampled crossings that were not reported.</summary>
     public int Missed { get; private set; }
 
-    /// <summary>Events of crossings that there are not.</summary>
+    /// <summary>The number of events without a crossing.</summary>
     public int Wrong { get; private set; }
 
-    /// <summary>Crossings of so little depth that they need not be reported.</summary>
+    /// <summary>The number of crossings that are too shallow to require a report.</summary>
     public int Grazes { get; private set; }
 
-    /// <summary>Pairs of events between two samples, which the path confirms.</summary>
+    /// <summary>The number of pairs of events between two samples, which the path confirms.</summary>
     public int Short { get; private set; }
 
-    /// <summary>Events out of order.</summary>
+    /// <summary>The number of events out of order.</summary>
     public int Disordered { get; private set; }
 
-    /// <summary>Paths that zones changed.</summary>
+    /// <summary>The number of paths that zones changed.</summary>
     public int Changed { get; private set; }
 
     /// <summary>The largest difference of the time of a crossing, s.</summary>
@@ -55,10 +55,10 @@ internal sealed class ZonePlays
     /// <summary>The first case that failed; −1 if none did.</summary>
     public int FirstFailure { get; private set; } = -1;
 
-    /// <summary>True if a crossing was missed, or something else was wrong.</summary>
+    /// <summary>True if a crossing was missed, or another check failed.</summary>
     public bool Failed => Missed + Wrong + Disordered + Changed > 0 || WorstTime > Allowed || WorstPlace > Graze;
 
-    /// <summary>Plays a case.</summary>
+    /// <summary>Simulates a case.</summary>
     public void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
@@ -69,7 +69,7 @@ internal sealed class ZonePlays
         _path.Clear();
         Fly(kick, kick.Scene, log);
 
-        // Zones near points of the path, then the same kick among them.
+        // Draw zones near points of the path, then repeat the same kick with them.
         var zones = new Zone[(int)random.Uniform(1, 6)];
         for (int i = 0; i < zones.Length; i++)
         {
@@ -106,12 +106,12 @@ internal sealed class ZonePlays
             Zone zone = zones[z];
             var border = new Border(zone, simulator.Scene.Ball.Radius, _path);
             border.Sample(Spacing, _expected);
-            _told.Clear();
+            _reported.Clear();
             foreach (BallEvent happened in events.Span)
             {
                 if (happened.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone && simulator.NameOf(happened.ColliderIndex) == zone.Name)
                 {
-                    _told.Add(new Crossing(happened.Time, happened.Kind == BallEventKind.EnterZone));
+                    _reported.Add(new Crossing(happened.Time, happened.Kind == BallEventKind.EnterZone));
                     WorstPlace = Math.Max(WorstPlace, Math.Max(Math.Abs(border.Of(happened.Position)), (happened.Position - _path.At(happened.Time)).Length - (happened.Velocity.Length * 1e-9)));
                     Events[Array.FindIndex(ZoneDraw.Shapes, name => zone.Name.StartsWith(name, StringComparison.Ordinal))]++;
                 }
@@ -121,24 +121,24 @@ internal sealed class ZonePlays
         }
     }
 
-    /// <summary>Compares the crossings of one zone with those that were sampled.</summary>
+    /// <summary>Compares the reported crossings of one zone with the sampled ones.</summary>
     private void Match(in Border border)
     {
         int i = 0;
         int j = 0;
-        while (i < _expected.Count || j < _told.Count)
+        while (i < _expected.Count || j < _reported.Count)
         {
-            if (i < _expected.Count && j < _told.Count && _expected[i].Enters == _told[j].Enters
-                && (Math.Abs(_expected[i].Time - _told[j].Time) <= Allowed || border.Deepest(_expected[i].Time, _told[j].Time) <= Graze))
+            if (i < _expected.Count && j < _reported.Count && _expected[i].Enters == _reported[j].Enters
+                && (Math.Abs(_expected[i].Time - _reported[j].Time) <= Allowed || border.Deepest(_expected[i].Time, _reported[j].Time) <= Graze))
             {
-                double off = Math.Abs(_expected[i].Time - _told[j].Time);
+                double off = Math.Abs(_expected[i].Time - _reported[j].Time);
                 Grazes += off > Allowed ? 1 : 0;
                 WorstTime = off <= Allowed ? Math.Max(WorstTime, off) : WorstTime;
                 i++;
                 j++;
             }
-            else if (j + 1 < _told.Count && (i == _expected.Count || _told[j + 1].Time < _expected[i].Time + Allowed) && _told[j + 1].Time - _told[j].Time < Spacing * 1.01
-                && border.IsIn(0.5 * (_told[j].Time + _told[j + 1].Time)) == _told[j].Enters)
+            else if (j + 1 < _reported.Count && (i == _expected.Count || _reported[j + 1].Time < _expected[i].Time + Allowed) && _reported[j + 1].Time - _reported[j].Time < Spacing * 1.01
+                && border.IsIn(0.5 * (_reported[j].Time + _reported[j + 1].Time)) == _reported[j].Enters)
             {
                 Short++;
                 j += 2;
@@ -148,7 +148,7 @@ internal sealed class ZonePlays
                 Grazes++;
                 i += 2;
             }
-            else if (i < _expected.Count && (j == _told.Count || _expected[i].Time <= _told[j].Time))
+            else if (i < _expected.Count && (j == _reported.Count || _expected[i].Time <= _reported[j].Time))
             {
                 Missed++;
                 i++;
@@ -173,7 +173,7 @@ internal sealed class ZonePlays
 
         public bool IsIn(double time) => zone.Holds(path.At(time), radius);
 
-        /// <summary>The greatest distance from the border between two times, m.</summary>
+        /// <summary>Returns the greatest distance from the border between two times, m.</summary>
         public double Deepest(double from, double to)
         {
             double deepest = 0;
@@ -185,7 +185,7 @@ internal sealed class ZonePlays
             return deepest;
         }
 
-        /// <summary>The crossings that samples see, each by bisection.</summary>
+        /// <summary>Finds the sampled crossings, each by bisection.</summary>
         public void Sample(double spacing, List<Crossing> into)
         {
             into.Clear();

@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Zones;
 
-/// <summary>football lab zones: events of zones against a dense sampling of the path.</summary>
+/// <summary>football lab zones: compares events of zones with dense samples of the path.</summary>
 internal static class ZonesLab
 {
     private const long Most = 10_000_000;
