@@ -3,12 +3,12 @@ namespace FootballPhysics.Labs;
 /// <summary>Random requests of every kind: speeds, spins, winds, laws, distances, heights, elevation bounds.</summary>
 internal static class AimAnything
 {
-    /// <summary>Scenes that the requests are spread over.</summary>
+    /// <summary>The number of scenes that the requests are spread over.</summary>
     public const int Scenes = 100;
 
     private static readonly ForceSet[] Laws = [ForceSet.Published, ForceSet.Regularized, ForceSet.Constant, ForceSet.Published with { Magnus = ForceLaw.Constant }, ForceSet.None];
 
-    /// <summary>One of the scenes.</summary>
+    /// <summary>Returns one of the scenes.</summary>
     public static Scene Scene(int seed, int index)
     {
         var random = new Random((seed * 1000) + index);
@@ -17,7 +17,7 @@ internal static class AimAnything
         return FootballPhysics.Scene.Published with { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
     }
 
-    /// <summary>Requests for it.</summary>
+    /// <summary>Returns requests for a scene.</summary>
     public static AimRequest[] Requests(int seed, int index, int count)
     {
         var random = new Random((seed * 1000) + 500_000 + index);

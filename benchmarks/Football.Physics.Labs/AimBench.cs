@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>Has a method answer requests, times it, and measures what it found.</summary>
+/// <summary>Runs a method on requests, times it, and measures the misses of its kicks.</summary>
 internal sealed class AimBench
 {
     private readonly ThesisAimer _aimer;
@@ -11,11 +11,11 @@ internal sealed class AimBench
     private readonly Trajectory _path = new(8192);
     private readonly bool _judgeOwn;
 
-    /// <summary>Prepares a scene.</summary>
+    /// <summary>Prepares a bench for a scene.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="settings">The thesis methods' integrator.</param>
-    /// <param name="timeStep">Their step, s.</param>
-    /// <param name="judgeOwn">Whether misses count in that integrator, not in truth.</param>
+    /// <param name="timeStep">The time step of the thesis methods, s.</param>
+    /// <param name="judgeOwn">True if misses are measured in that integrator, not in the reference simulation.</param>
     public AimBench(Scene scene, SolverSettings settings, double timeStep, bool judgeOwn = false)
     {
         _aimer = new ThesisAimer(scene, settings, timeStep);
@@ -27,14 +27,14 @@ internal sealed class AimBench
     /// <summary>The default scene with RK2.</summary>
     public static AimBench Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
 
-    /// <summary>Answers every request.</summary>
+    /// <summary>Runs a method on every request.</summary>
     public AimShot[] Run(IReadOnlyList<AimRequest> requests, AimMethod method)
     {
         WarmUp(requests, method);
         return [.. requests.Select(request => Run(request, method))];
     }
 
-    /// <summary>Until the runtime has compiled it for good.</summary>
+    /// <summary>Runs the method until the runtime has compiled its final code.</summary>
     private void WarmUp(IReadOnlyList<AimRequest> requests, AimMethod method)
     {
         long start = Stopwatch.GetTimestamp();

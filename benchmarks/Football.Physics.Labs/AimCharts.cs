@@ -8,25 +8,25 @@ internal static class AimCharts
 {
     private const int Bars = 40;
 
-    /// <summary>Histogram of misses.</summary>
-    /// <param name="row">Whose.</param>
-    /// <param name="all">Those whose axes are to be the same.</param>
+    /// <summary>Draws a histogram of misses.</summary>
+    /// <param name="row">The row to draw.</param>
+    /// <param name="all">The rows that share the same axes.</param>
     public static XElement Misses(AimRow row, IEnumerable<AimRow> all)
     {
         static double[] Values(AimRow of) => [.. of.Shots.Where(shot => shot.Miss <= 0.1).Select(shot => 1e3 * shot.Miss)];
         return Histogram(row, "miss, mm", Values(row), Palette.Blue, all.SelectMany(Values));
     }
 
-    /// <summary>Histogram of times; the slowest hundredth, which the machine and not the method made slow, is left out.</summary>
-    /// <param name="row">Whose.</param>
-    /// <param name="all">Those whose axes are to be the same.</param>
+    /// <summary>Draws a histogram of times, without the slowest hundredth: the machine slowed those down, not the method.</summary>
+    /// <param name="row">The row to draw.</param>
+    /// <param name="all">The rows that share the same axes.</param>
     public static XElement Times(AimRow row, IEnumerable<AimRow> all)
     {
         static double[] Values(AimRow of) => [.. of.Shots.Select(shot => shot.Microseconds).Order().Take((of.Shots.Count * 99) / 100)];
         return Histogram(row, "time, µs", Values(row), Palette.Orange, all.SelectMany(Values));
     }
 
-    /// <summary>How many kicks took how many iterations.</summary>
+    /// <summary>Draws the number of kicks per number of iterations.</summary>
     public static XElement IterationCounts(AimRow row)
     {
         int most = row.Shots.Max(shot => shot.Result.Iterations);
@@ -36,7 +36,7 @@ internal static class AimCharts
         return chart.Draw();
     }
 
-    /// <summary>Something of every kick over something else, a series for each row.</summary>
+    /// <summary>Draws one quantity of every kick over another one, with one series per row.</summary>
     public static XElement Over(
         string title, string xTitle, string yTitle, Func<AimShot, double> x, Func<AimShot, double> y, IEnumerable<AimRow> rows, AxisScale scale = AxisScale.Linear)
     {

@@ -2,7 +2,7 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>The thesis' experiments with its predictors (4.1.3, 4.2.3, 4.3.2), the library's own solver beside them.</summary>
+/// <summary>The thesis' experiments with its predictors (4.1.3, 4.2.3, 4.3.2), next to the library's own solver.</summary>
 internal sealed class AimExperiments(int seed, bool quick)
 {
     private readonly AimBench _fine = AimBench.Rk2(0.01);
@@ -31,7 +31,7 @@ internal sealed class AimExperiments(int seed, bool quick)
         };
     }
 
-    /// <summary>4.1.3, limits: A beyond 30°, and how the others do there.</summary>
+    /// <summary>4.1.3, limits: method A beyond 30°, and the other methods there.</summary>
     public AimSection HighElevations()
     {
         AimRequest[] requests = AimSets.Farther(15, 60, quick ? 46 : 181);
@@ -68,7 +68,7 @@ internal sealed class AimExperiments(int seed, bool quick)
         AimRow[] rows = [a, new("the same kicks, true miss", [.. shots.Select(shot => shot with { Miss = shot.Result.Miss })]), Direct("direct", truth.Run(requests, AimMethod.Direct), 2.5)];
         return new AimSection("4.1.3, the studio's setting: constant coefficients, semi-implicit Euler at 60 Hz, 20 to 30 m/s, spins within ±20", rows)
         {
-            Remark = "The method does what it is asked to in its own integrator, which is itself centimetres off the truth.",
+            Remark = "The method hits in its own integrator, which is itself centimetres off the reference.",
             Charts = [AimCharts.Times(a, [a]), AimCharts.Misses(a, [a]), AimCharts.IterationCounts(a)],
         };
     }
@@ -100,7 +100,7 @@ internal sealed class AimExperiments(int seed, bool quick)
         yield return FreeKick("4.3.2, second: over the wall into the bottom left corner", AimSets.OverTheWall(speeds), "4.7 mm; 4900 µs");
     }
 
-    /// <summary>What the library's own solver must reach beside the thesis' experiments.</summary>
+    /// <summary>The targets of the library's own solver, next to the thesis' experiments.</summary>
     public AimSection Targets()
     {
         AimShot[] points = _fine.Run(AimSets.TwoPoint(seed + 2, Count), AimMethod.Direct);

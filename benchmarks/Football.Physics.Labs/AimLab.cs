@@ -5,7 +5,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab aim: the thesis' experiments with predictors, and the library's own solver in them.</summary>
+/// <summary>football lab aim: runs the thesis' experiments with predictors, and the library's own solver on the same requests.</summary>
 internal static class AimLab
 {
     private const int Requests = 10_000;

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>A line of a table: what a method did with a set of requests.</summary>
+/// <summary>A row of a table: the results of a method for a set of requests.</summary>
 internal sealed class AimRow
 {
     public AimRow(string name, IReadOnlyList<AimShot> shots)
@@ -30,7 +30,7 @@ internal sealed class AimRow
     /// <summary>Misses of the kicks that were not out of reach, m.</summary>
     public Spread Miss { get; }
 
-    /// <summary>The same at the point on the way; null without one.</summary>
+    /// <summary>Misses at the waypoint; null without a waypoint.</summary>
     public Spread? ThroughMiss { get; }
 
     public Spread Iterations { get; }
@@ -39,10 +39,10 @@ internal sealed class AimRow
 
     public Spread Microseconds { get; }
 
-    /// <summary>What the thesis has for it.</summary>
+    /// <summary>The thesis' result.</summary>
     public string Thesis { get; init; } = "";
 
-    /// <summary>What was to be reached, and whether it was; null where nothing was.</summary>
+    /// <summary>The target, and whether it was reached; null without a target.</summary>
     public (string Text, bool Reached)? Reach { get; init; }
 
     public static string[] Columns { get; } =

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>
-/// The dense scan that verdicts are held against: over the elevations between the bounds, each with the azimuth corrected by where the
-/// kick went, judged by the simulated closest approach before the first impact; every valley of it is then searched to its bottom, and
-/// in a wind, where the closest kick need not point where it comes closest, the best one in both angles.
+/// The dense scan that verdicts are checked against. It tries elevations between the bounds and corrects the azimuth of each by the direction in which
+/// the kick went. It judges a kick by the simulated closest approach before the first impact. It then searches every valley down to its minimum. In a
+/// wind the closest kick need not point towards the point where it comes closest, so the scan also searches both angles from the best kick.
 /// </summary>
 internal sealed class AimScan
 {
@@ -27,9 +27,9 @@ internal sealed class AimScan
         _windy = scene.Air.Wind != Vector3d.Zero;
     }
 
-    /// <summary>The smallest miss of any kick that the scan tries, m.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="elevations">Elevations between the bounds.</param>
+    /// <summary>Returns the smallest miss of any kick that the scan tries, m.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="elevations">The number of elevations between the bounds.</param>
     public double Best(AimRequest request, int elevations)
     {
         double low = request.MinimumElevationDegrees * Degree;
@@ -60,7 +60,7 @@ internal sealed class AimScan
         return _windy && best > request.Tolerance ? Math.Min(best, BothAngles(request, low, high)) : best;
     }
 
-    /// <summary>From the best kick so far, downhill in both angles.</summary>
+    /// <summary>Descends in both angles, from the best kick so far.</summary>
     private double BothAngles(AimRequest request, double low, double high)
     {
         for (double step = 0.02; step > 1e-4; step *= 0.5)
@@ -83,7 +83,7 @@ internal sealed class AimScan
         return _bestMiss;
     }
 
-    /// <summary>Golden section in a valley.</summary>
+    /// <summary>Finds the minimum of a valley by golden-section search.</summary>
     private double Bottom(AimRequest request, double a, double b, double azimuth)
     {
         const double Golden = 0.38196601125010515;

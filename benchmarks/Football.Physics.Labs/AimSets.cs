@@ -21,7 +21,7 @@ internal static class AimSets
         return Make(count, () => Before(random, InGoal(random), Between(random, 15, 25)) with { Speed = 25, TopSpin = 20, SideSpin = 10, MaximumElevationDegrees = 30 });
     }
 
-    /// <summary>4.1.3, limits: the same kick from further and further away, at most 45°.</summary>
+    /// <summary>4.1.3, limits: the same kick from increasing distances, at most 45°.</summary>
     public static AimRequest[] Farther(double nearest, double farthest, int count) => [.. Enumerable.Range(0, count).Select(i => new AimRequest
     {
         From = new Vector3d(-(nearest + ((farthest - nearest) * i / (count - 1))), Radius, 0),
@@ -32,7 +32,7 @@ internal static class AimSets
         MaximumElevationDegrees = 45,
     })];
 
-    /// <summary>4.1.3, the studio's comparison: 20 to 30 m/s, spins within ±20, points in the goal; the thesis does not say how far off: 14 to 20 m.</summary>
+    /// <summary>4.1.3, the studio's comparison: 20 to 30 m/s, spins within ±20, points in the goal. The thesis does not state the distance; here it is 14 to 20 m.</summary>
     public static AimRequest[] Studio(int seed, int count)
     {
         var random = new Random(seed);
@@ -51,7 +51,7 @@ internal static class AimSets
     /// <summary>4.3.2, second: just over the middle of a wall into the bottom left corner, from 25 m, 20 to 40 m/s.</summary>
     public static AimRequest[] OverTheWall(int count) => FreeKick(new Vector3d(-15.85, 2.2, -0.9), new Vector3d(0, 0.4, -3.3), count);
 
-    /// <summary>Two points of a random kick whose spins are well within their limits: 20 to 32 m/s, 18 to 35 m.</summary>
+    /// <summary>Two points of a random kick with spins well within their limits: 20 to 32 m/s, 18 to 35 m.</summary>
     public static AimRequest[] TwoPoint(int seed, int count)
     {
         var random = new Random(seed);

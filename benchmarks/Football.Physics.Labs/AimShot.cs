@@ -1,10 +1,10 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>A request, the kick that a method found for it, and how good it really is.</summary>
-/// <param name="Request">What was asked for.</param>
-/// <param name="Result">What was found; its misses are measured.</param>
-/// <param name="Miss">The miss that the experiment counts, m: the true one, or that in the game's own integrator.</param>
-/// <param name="Microseconds">How long the search took.</param>
+/// <summary>A request, the kick that a method found for it, and its measured miss.</summary>
+/// <param name="Request">The request.</param>
+/// <param name="Result">The result; its misses are measured.</param>
+/// <param name="Miss">The miss that the experiment counts, m: in the reference simulation, or in the game's own integrator.</param>
+/// <param name="Microseconds">The time of the search, µs.</param>
 internal sealed record AimShot(AimRequest Request, AimResult Result, double Miss, double Microseconds)
 {
     /// <summary>Horizontal distance of the target, m.</summary>

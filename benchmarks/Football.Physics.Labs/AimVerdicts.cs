@@ -1,36 +1,36 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>Random requests answered by the library's own solver, its verdicts held against the dense scan.</summary>
+/// <summary>Runs the library's own solver on random requests, and checks its verdicts against the dense scan.</summary>
 internal sealed class AimVerdicts
 {
-    /// <summary>Elevations that a scan tries.</summary>
+    /// <summary>The number of elevations that a scan tries.</summary>
     public const int Elevations = 181;
 
     private readonly LabCounts _counts = new();
 
-    /// <summary>The first few that are wrong, or not the closest.</summary>
+    /// <summary>The first few answers that are wrong or not the closest.</summary>
     public IEnumerable<string> Examples => _counts.Examples.Take(5);
 
-    /// <summary>Whether the scan hits no request that was not hit, and every request has an answer.</summary>
+    /// <summary>True if the scan hits no request that the solver missed, and every request has an answer.</summary>
     public bool Answers => _counts["can be hit"] == 0 && _counts["without an answer"] == 0;
 
-    /// <summary>Whether the scan contradicts no verdict, and every request has one.</summary>
+    /// <summary>True if the scan contradicts no verdict, and every request has one.</summary>
     public bool Hold => Answers && _counts["can be closer"] == 0 && _counts["not converged"] == 0;
 
-    /// <summary>Answers all requests, on all processors.</summary>
+    /// <summary>Solves all requests, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="scanEvery">Scans every so manieth of those that were not hit.</param>
-    /// <param name="report">Told how many are done.</param>
+    /// <param name="count">The number of requests.</param>
+    /// <param name="scanEvery">The scan checks one in this many of the requests that were not hit.</param>
+    /// <param name="report">Receives the number of requests done.</param>
     public static AimVerdicts Of(int seed, int count, int scanEvery, Action<int> report) =>
         Of(index => AimAnything.Scene(seed, index), seed, count, scanEvery, report);
 
-    /// <summary>The same in other scenes.</summary>
-    /// <param name="scene">The scene of an index.</param>
+    /// <summary>Solves requests in other scenes.</summary>
+    /// <param name="scene">Returns the scene of an index.</param>
     /// <param name="seed">Seed of the requests.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="scanEvery">Scans every so manieth of those that were not hit.</param>
-    /// <param name="report">Told how many are done.</param>
+    /// <param name="count">The number of requests.</param>
+    /// <param name="scanEvery">The scan checks one in this many of the requests that were not hit.</param>
+    /// <param name="report">Receives the number of requests done.</param>
     public static AimVerdicts Of(Func<int, Scene> scene, int seed, int count, int scanEvery, Action<int> report)
     {
         var verdicts = new AimVerdicts();
@@ -40,8 +40,8 @@ internal sealed class AimVerdicts
         return verdicts;
     }
 
-    /// <summary>All of it in a row.</summary>
-    /// <param name="name">What was asked for.</param>
+    /// <summary>Returns all counts as one row.</summary>
+    /// <param name="name">The name of the requests.</param>
     public LabTable Table(string name = "Random requests (5 to 40 m/s, spins, winds, laws, 1 to 70 m, heights, elevation bounds; 1 mm), direct, held against a dense scan")
     {
         var table = new LabTable(

@@ -3,16 +3,16 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab answers: kicks that were flown are found again, hits hit, verdicts hold, and look-aheads see what happens.</summary>
+/// <summary>football lab answers: checks that simulated kicks are found again, that hits hit, that verdicts hold, and that look-aheads report all events.</summary>
 internal static class AnswersLab
 {
-    /// <summary>Share of the known kicks that may not be found again: in still air, and in wind.</summary>
+    /// <summary>The largest share of known kicks that may not be found again: in still air, and in wind.</summary>
     private const double StillShare = 0.001;
     private const double WindyShare = 0.005;
     private const double Windy = 20;
     private const int MostExamples = 12;
 
-    /// <summary>Kicks that are played for a chance, and by how much that may be off, as a share.</summary>
+    /// <summary>The number of kicks simulated per chance, and the largest allowed error of the chance, as a share.</summary>
     private const int KicksPerRequest = 20;
     private const double LargestChanceError = 0.02;
 
@@ -130,7 +130,7 @@ internal static class AnswersLab
 
     private static void Frame(LabReport report, int seed, int count, Progress progress)
     {
-        // At the default count 40 000 kicks, whose standard error is at most a quarter of a percentage point.
+        // At the default count this is 40 000 kicks, so the standard error is at most a quarter of a percentage point.
         int kicks = KicksPerRequest * count;
         var table = new LabTable("Chances of a goal near the frame, %", "aside, m", "height, m", "spread, °", "kicks", "played", "by derivatives", "by flights", "verdict");
         report.Tables.Add(table);

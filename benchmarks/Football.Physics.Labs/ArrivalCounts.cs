@@ -1,17 +1,17 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>How many kicks are found that are to arrive with a speed, and whether they do when they are played.</summary>
+/// <summary>Counts the kicks found for a requested arrival speed, and those that arrive with it when simulated.</summary>
 internal static class ArrivalCounts
 {
     public static readonly string[] Columns = ["requests", "hits", "out of reach", "not converged", "known kicks", "not found again", "hits at another speed", "worst, m/s"];
 
-    /// <summary>Requests with one aimer.</summary>
+    /// <summary>The number of requests per aimer.</summary>
     private const int PerAimer = 20;
 
-    /// <summary>An arrival further off than this, m/s, is none.</summary>
+    /// <summary>A kick whose arrival speed is off by more than this, m/s, does not count.</summary>
     private const double LargestError = 0.1;
 
-    /// <summary>What the targets are: in the air, low ones for volleys, on the ground.</summary>
+    /// <summary>The kinds of targets: in the air, low for volleys, on the ground.</summary>
     public enum Kind
     {
         Air,
@@ -40,7 +40,7 @@ internal static class ArrivalCounts
                 SideSpin = i % 4 == 0 ? Between(-30, 30) : 0,
             };
 
-            // The arrival of a kick that hits, or any speed.
+            // Request the arrival speed of a kick that hits, or any speed.
             AimResult witness = aimer.Find(request);
             bool isKnown = i % 2 == 0 && witness.Status == AimStatus.Hit;
             double wanted = isKnown ? Played(simulator, request, in witness) : Between(4, 25);
@@ -58,7 +58,7 @@ internal static class ArrivalCounts
         }
     }
 
-    /// <summary>The speed of a kick at its target in short steps; of one that comes down there, before it touches the ground.</summary>
+    /// <summary>Returns the speed of a kick at its target, simulated in short steps. For a kick that comes down there, it is the speed before it touches the ground.</summary>
     private static double Played(Simulator simulator, AimRequest request, in AimResult kick)
     {
         BallState ball = simulator.Launch(request.From, kick.Velocity, kick.Spin);

@@ -5,17 +5,17 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab balls: drag and lift coefficients of all balls by speed and by spin, beside what was measured.</summary>
+/// <summary>football lab balls: drag and lift coefficients of all balls by speed and by spin, next to the measurements.</summary>
 internal static class BallsLab
 {
     private static readonly double[] Speeds = [5, 8, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 25, 28, 30, 35, 40];
     private static readonly double[] Spins = [0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1];
 
-    /// <summary>Above the drag crisis of every ball, where spin was measured.</summary>
+    /// <summary>A speed above the drag crisis of every ball, at which spin was measured, m/s.</summary>
     private const double SpinSpeed = 28;
 
-    /// <summary>Points that measured.md's sources give one by one; the others went into the fit alone.</summary>
-    private static readonly (string Source, double Spin, double Lift)[] Told =
+    /// <summary>Points that the sources of measured.md give one by one; the others are in the fit only.</summary>
+    private static readonly (string Source, double Spin, double Lift)[] PublishedPoints =
     [
         ("Asai 2007", 0.05, 0.05), ("Kiratidis & Leinweber, Teamgeist", 0.06, 0.15), ("Mencke, by a filmed flight", 0.25, 0.45),
     ];
@@ -52,22 +52,22 @@ internal static class BallsLab
             spins.Add(spin, drag, drag - without, spin > 0 ? GoffAndCarre(spin) : null, spin <= 0.3 ? KiratidisAndLeinweber(spin) : null, thesisDrag, lift, thesisLift);
         }
 
-        var told = new LabTable("C_L that was measured", "source", "S", "told", "measured laws", "published laws");
-        foreach ((string source, double spin, double lift) in Told)
+        var points = new LabTable("Measured C_L", "source", "S", "reported", "measured laws", "published laws");
+        foreach ((string source, double spin, double lift) in PublishedPoints)
         {
-            told.Add(source, spin, lift, Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, Published(SpinSpeed, spin).Lift);
+            points.Add(source, spin, lift, Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, Published(SpinSpeed, spin).Lift);
         }
 
-        var report = new LabReport { Name = "balls", Seed = seed, Tables = { drags, spins, told } };
+        var report = new LabReport { Name = "balls", Seed = seed, Tables = { drags, spins, points } };
         report.Notes.Add("Laboratories differ by ±0.04 in C_L; Mencke's point is outside every tunnel's series, and no smooth law meets both of the first two.");
         report.Picture = Picture;
         return report;
     }
 
-    /// <summary>What spin adds to C_D, Goff and Carré 2009.</summary>
+    /// <summary>Returns the addition of spin to C_D, Goff and Carré 2009.</summary>
     private static double GoffAndCarre(double spin) => (0.4127 * Math.Pow(spin, 0.3056)) - 0.155;
 
-    /// <summary>What spin adds to C_D, Kiratidis and Leinweber, up to S 0.3.</summary>
+    /// <summary>Returns the addition of spin to C_D, Kiratidis and Leinweber, up to S 0.3.</summary>
     private static double KiratidisAndLeinweber(double spin) => 0.514 * spin;
 
     private static XElement Picture()
@@ -87,9 +87,9 @@ internal static class BallsLab
         double without = Of(BallProperties.Tunnel, SpinSpeed, 0).Drag;
         lift.Items.Add(Line(spins, spin => Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, "measured laws", Palette.Blue));
         lift.Items.Add(Line(spins, spin => Published(SpinSpeed, spin).Lift, "published", Palette.Faint, "4 3"));
-        for (int i = 0; i < Told.Length; i++)
+        for (int i = 0; i < PublishedPoints.Length; i++)
         {
-            lift.Items.Add(new ScatterItem([new PlotPoint(Told[i].Spin, Told[i].Lift)]) { Label = Told[i].Source, Colour = Palette.Series[i + 1], Mark = (Mark)(i + 1) });
+            lift.Items.Add(new ScatterItem([new PlotPoint(PublishedPoints[i].Spin, PublishedPoints[i].Lift)]) { Label = PublishedPoints[i].Source, Colour = Palette.Series[i + 1], Mark = (Mark)(i + 1) });
         }
 
         added.Items.Add(Line(spins, spin => Of(BallProperties.Tunnel, SpinSpeed, spin).Drag - without, "measured laws", Palette.Blue));
@@ -106,7 +106,7 @@ internal static class BallsLab
 
     private static (double Drag, double Lift) Published(double speed, double spinParameter) => Coefficients(Scene.Published, speed, spinParameter);
 
-    /// <summary>C_D and C_L of a scene's laws, for spin across the motion.</summary>
+    /// <summary>Returns C_D and C_L by a scene's laws, for spin across the motion.</summary>
     private static (double Drag, double Lift) Coefficients(Scene scene, double speed, double spinParameter)
     {
         // a = ½ ρ A/m C |u|²

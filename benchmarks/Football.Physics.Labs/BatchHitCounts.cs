@@ -1,17 +1,17 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>How many hits of many aims at once miss when they are flown: low drives with backspin, which the ground holds, and any kick.</summary>
+/// <summary>Counts the hits of batch aims that miss when they are simulated: low drives with backspin, which the ground blocks, and any kick.</summary>
 internal static class BatchHitCounts
 {
     public static readonly string[] Columns = ["requests", "hits", "false hits", "worst, mm"];
 
     private const int PerScene = 400;
 
-    /// <summary>Asks for kicks, on all processors.</summary>
+    /// <summary>Aims kicks, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
-    /// <param name="count">How many.</param>
+    /// <param name="count">The number of requests.</param>
     /// <param name="wind">Largest wind, m/s.</param>
-    /// <param name="drives">Whether they are low drives with backspin.</param>
+    /// <param name="drives">True for low drives with backspin.</param>
     public static LabCounts Of(int seed, int count, double wind, bool drives) =>
         LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, seed, index, requests, wind, drives));
 

@@ -5,23 +5,23 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab bodies: an engine's rigid body with <see cref="Aerodynamics"/>, next to the library's own flight.</summary>
+/// <summary>football lab bodies: compares an engine's rigid body with <see cref="Aerodynamics"/> with the library's own flight.</summary>
 internal static class BodiesLab
 {
     private const int Kicks = 60;
     private const int Many = 10_000;
     private const int Repeats = 200;
 
-    /// <summary>How much farther off than its own integrator with exact forces a body may be, m.</summary>
+    /// <summary>The largest additional error of a body over its own integrator with exact forces, m.</summary>
     private const double MostMore = 0.01;
 
-    /// <summary>How far off a body with the corrected kick may be at 30 m and 240 Hz, m.</summary>
+    /// <summary>The largest error of a body with the corrected kick at 30 m and 240 Hz, m.</summary>
     private const double MostCorrected = 0.02;
 
-    /// <summary>How long a kick may take to the last distance, s.</summary>
+    /// <summary>The longest time of a kick to the last distance, s.</summary>
     private const double LongestKick = 2;
 
-    /// <summary>How long a body that misses it may take, s.</summary>
+    /// <summary>The longest time of a body that misses it, s.</summary>
     private const double Longest = 6;
 
     private static readonly double[] Distances = [10, 20, 30];
@@ -34,10 +34,10 @@ internal static class BodiesLab
         /// <summary>A rigid body in single precision with the forces of <see cref="Aerodynamics"/>.</summary>
         Rigid,
 
-        /// <summary>The same, kicked with <see cref="Aerodynamics.KickVelocity"/>.</summary>
+        /// <summary>The rigid body, kicked with <see cref="Aerodynamics.KickVelocity"/>.</summary>
         Kicked,
 
-        /// <summary>The same, with the forces of <see cref="Aerodynamics.EvaluateForStep"/> too.</summary>
+        /// <summary>The kicked body, with the forces of <see cref="Aerodynamics.EvaluateForStep"/> too.</summary>
         Corrected,
     }
 
@@ -61,7 +61,7 @@ internal static class BodiesLab
         var truth = new Vector3d[Kicks][];
         for (int i = 0; i < Kicks;)
         {
-            // A slow ball that falls never gets so far: another kick is drawn.
+            // A slow ball that falls does not get this far: draw another kick.
             kicks[i] = Kick(random);
             truth[i] = Flight(scene, new SolverSettings { Integrator = Integrator.Rk4 }, 0.001, kicks[i].Velocity, kicks[i].Spin, LongestKick);
             i += truth[i][^1].IsFinite ? 1 : 0;
@@ -100,7 +100,7 @@ internal static class BodiesLab
         return (new Vector3d(0, speed * Math.Sin(elevation), -speed * Math.Cos(elevation)), spin / axis.Length * axis);
     }
 
-    /// <summary>The misses of each kick at each distance, m.</summary>
+    /// <summary>Returns the misses of each kick at each distance, m.</summary>
     private static double[][] Misses(Body body, Scene scene, Aerodynamics air, double step, (Vector3d Velocity, Vector3d Spin)[] kicks, Vector3d[][] truth) =>
         [.. kicks.Select((kick, i) =>
         {
@@ -110,7 +110,7 @@ internal static class BodiesLab
             return Enumerable.Range(0, Distances.Length).Select(d => (at[d] - truth[i][d]).Length).ToArray();
         })];
 
-    /// <summary>The points at which the library's own flight passes the distances.</summary>
+    /// <summary>Returns the points at which the library's own flight passes the distances.</summary>
     private static Vector3d[] Flight(Scene scene, SolverSettings settings, double step, Vector3d velocity, Vector3d spin, double longest = Longest)
     {
         var simulator = new Simulator(scene, settings);
@@ -123,7 +123,7 @@ internal static class BodiesLab
         });
     }
 
-    /// <summary>The points at which a body passes the distances that is stepped as an engine does: in single precision, v += Δt a and then p += Δt v.</summary>
+    /// <summary>Returns the points at which a body passes the distances. It is stepped as in an engine: in single precision, v += Δt a and then p += Δt v.</summary>
     private static Vector3d[] RigidBody(Aerodynamics air, double step, Body body, Vector3d kick, Vector3d kickSpin)
     {
         float dt = (float)step;
@@ -146,7 +146,7 @@ internal static class BodiesLab
         });
     }
 
-    /// <summary>The first points at the distances along −z, between the steps by a straight line; NaN for those that the ball does not reach in time.</summary>
+    /// <summary>Returns the first points at the distances along −z, interpolated linearly between the steps; NaN for distances that the ball does not reach in time.</summary>
     private static Vector3d[] Crossings(double step, double longest, Func<Vector3d> move)
     {
         var points = new Vector3d[Distances.Length];
@@ -167,7 +167,7 @@ internal static class BodiesLab
         return points;
     }
 
-    /// <summary>The least time of a call for many bodies, ms.</summary>
+    /// <summary>Returns the least time of a call for many bodies, ms.</summary>
     private static double TimeOfMany(Aerodynamics air, (Vector3d Velocity, Vector3d Spin)[] kicks)
     {
         var positions = new Vector3d[Many];

@@ -6,10 +6,10 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab consistency: the thesis' test 3.4.2, how far the landing point depends on the step.</summary>
+/// <summary>football lab consistency: the thesis' test 3.4.2, the dependence of the landing point on the step.</summary>
 internal static class ConsistencyLab
 {
-    /// <summary>Where the axes of all histograms begin, log₁₀ mm; smaller gaps count there.</summary>
+    /// <summary>The start of the axes of all histograms, log₁₀ mm; smaller gaps count there.</summary>
     private const double SmallestGap = -9;
 
     private const int Shots = 250;

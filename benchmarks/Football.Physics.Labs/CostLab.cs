@@ -13,7 +13,7 @@ internal static class CostLab
     private const int Frames = 20_000;
     private const double Step = 0.01;
 
-    /// <summary>A frame is done so often in a row: one alone is shorter than the clock's tick.</summary>
+    /// <summary>Each frame is repeated this many times: a single frame is shorter than the clock's tick.</summary>
     private const int Repeats = 32;
 
     private const int WarmUp = 60;
@@ -83,7 +83,7 @@ internal static class CostLab
         _ => 20_900,
     };
 
-    /// <summary>The states before so many steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
+    /// <summary>Returns the states before a number of event-free steps of each motion. Balls are kicked, come to rest and are kicked again.</summary>
     private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
     {
         var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Pinned).ToDictionary(motion => motion, _ => new List<BallState>(frames));
@@ -91,7 +91,7 @@ internal static class CostLab
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < frames))
         {
-            // Kicks along the ground, up to where they roll, once only slides are still wanted.
+            // Once only slides are missing, kick along the ground, until the ball rolls.
             bool onlySlides = found.All(list => list.Key == MotionState.Sliding || list.Value.Count >= frames);
             double steepest = onlySlides ? 0 : 35;
             BallState state = simulator.Launch(

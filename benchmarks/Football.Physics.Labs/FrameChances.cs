@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>The chance of a goal near the frame, against kicks that are drawn and played with it.</summary>
+/// <summary>Compares the chance of a goal near the frame with simulated random kicks.</summary>
 internal static class FrameChances
 {
     private const double Away = 15;
@@ -9,11 +9,11 @@ internal static class FrameChances
 
     private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -Away), Facing = new Vector3d(0, 0, 1) };
 
-    /// <summary>Where the kicks aim: beside the posts, under the bar, at a corner; and how much they spread, degrees.</summary>
+    /// <summary>The targets of the kicks: next to the posts, under the bar, at a corner; and their spread, degrees.</summary>
     public static (double Aside, double Height, double Degrees)[] Cases { get; } =
         [(3.58, 1.1, 0.3), (3.64, 1.1, 0.3), (-3.6, 2, 0.3), (3.7, 0.5, 0.8), (0, 2.4, 0.3), (1, 2.5, 0.8), (3.5, 2.3, 0.3), (-3.5, 2.3, 0.8)];
 
-    /// <summary>One case: by derivatives, by flights, and played.</summary>
+    /// <summary>Computes one case: by derivatives, by flights, and by full simulation.</summary>
     public static (GoalChanceResult Derived, GoalChanceResult Flown, double Played) Of((double Aside, double Height, double Degrees) item, int seed, int kicks)
     {
         var from = new Vector3d(0, 0.11, 0);

@@ -7,7 +7,7 @@ using FootballPhysics.Labs.Fuzz;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab fuzz: inputs that are bytes or text, changed with what they mean in mind.</summary>
+/// <summary>football lab fuzz: tries bytes and text that are changed according to their format.</summary>
 internal static class FuzzLab
 {
     private const long ByDefault = 1_000_000;
@@ -31,10 +31,10 @@ internal static class FuzzLab
     /// <summary>Tries inputs of several kinds.</summary>
     /// <param name="name">Name of the experiment.</param>
     /// <param name="seed">The seed.</param>
-    /// <param name="count">Inputs of each kind.</param>
-    /// <param name="jobs">Threads.</param>
+    /// <param name="count">The number of inputs of each kind.</param>
+    /// <param name="jobs">The number of threads.</param>
     /// <param name="targets">The kinds.</param>
-    /// <param name="progress">Where progress is reported.</param>
+    /// <param name="progress">Receives the progress.</param>
     internal static LabReport Run(string name, long seed, long count, int jobs, IReadOnlyList<FuzzTarget> targets, Progress progress)
     {
         var table = new LabTable(

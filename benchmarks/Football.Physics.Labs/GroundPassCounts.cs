@@ -1,17 +1,17 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>How many passes along the ground that were rolled are found again: at their time, and no faster than they were.</summary>
+/// <summary>Counts the simulated passes along the ground that are found again: at their time, and no faster than they were.</summary>
 internal static class GroundPassCounts
 {
     public static readonly string[] Columns = ["passes", "found", "at their time", "no slower one", "false hits"];
 
     private const int PerScene = 10;
 
-    /// <summary>Asks for passes, on all processors.</summary>
+    /// <summary>Aims passes, on all processors.</summary>
     /// <param name="seed">Seed of the passes.</param>
-    /// <param name="count">How many.</param>
+    /// <param name="count">The number of passes.</param>
     /// <param name="wind">Largest wind, m/s.</param>
-    /// <param name="balls">With how many of the balls.</param>
+    /// <param name="balls">The number of different balls to use.</param>
     public static LabCounts Of(int seed, int count, double wind, int balls) =>
         LabCounts.Of(count, PerScene, (counts, index, passes) => Run(counts, seed, index, passes, wind, balls));
 
@@ -44,7 +44,7 @@ internal static class GroundPassCounts
         }
     }
 
-    /// <summary>A pass, and a point that it rolls over at a time.</summary>
+    /// <summary>Draws a pass, and a point on its path with the time.</summary>
     private static (AimRequest Request, double Time) Draw(Random random, Simulator simulator, Trajectory path)
     {
         while (true)

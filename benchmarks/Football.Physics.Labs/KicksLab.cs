@@ -3,24 +3,24 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab kicks: kicks that somebody measured, filmed or told of, by both profiles.</summary>
+/// <summary>football lab kicks: kicks that were measured, filmed or described, simulated with both profiles.</summary>
 internal static class KicksLab
 {
-    /// <summary>The kicks were flown by balls of the tunnels' time: the generic ball on dry turf, by the measured laws.</summary>
+    /// <summary>The kicks used balls of the time of the wind-tunnel tests: the generic ball on dry turf, by the measured laws.</summary>
     private static readonly Scene Tunnel = Scene.Measured with { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) };
 
     private const double Radius = 0.11;
     private const double Degree = Math.PI / 180;
     private const double RevolutionsPerSecond = 2 * Math.PI;
 
-    /// <summary>The launch is not known to us: it is set so that the measured laws have the film's range. The apex is then their own.</summary>
+    /// <summary>The launch speed is unknown: it is set so that the measured laws reproduce the range in the film. The apex is then a result.</summary>
     private const double MenckeSpeed = 15.1;
     private const double MenckeElevation = 42.3 * Degree;
 
     /// <summary>29 yards, m.</summary>
     private const double BeckhamDistance = 26.5;
 
-    /// <summary>Seeds of the knuckle force whose flights are looked at.</summary>
+    /// <summary>The number of seeds of the knuckle force that are simulated.</summary>
     private const int Seeds = 200;
 
     public static Command Create(Terminal terminal) => LabOptions.Create(
@@ -31,7 +31,7 @@ internal static class KicksLab
         (_, seed, _) => Run(seed));
 
     /// <summary>All rows.</summary>
-    public static IReadOnlyList<ToldKick> Kicks { get; } =
+    public static IReadOnlyList<ReportedKick> Kicks { get; } =
     [
         new("Mencke, no spin", "range, m", 17.9, 0.1, scene => Landing(scene, MenckeSpeed, MenckeElevation).X, "the launch was set for this range by the measured laws"),
         new("Mencke, no spin", "height of the apex, m", 4.59, 0.05, scene => Apex(scene).Y, "the film's curve is symmetric, a drag crisis gives none"),
@@ -40,25 +40,25 @@ internal static class KicksLab
         new("Carré, TV kick of 32.2 m/s", "time to the goal, s", 1.0, 0.1, scene => Television(scene).Time),
         new("Carré, TV kick of 32.2 m/s", "speed at the goal, m/s", 22.8, 1.5, scene => Television(scene).Speed),
         new("Beckham 2001, 36 m/s, 63 rad/s, 27 m", "off the tangent, m", 3, 0.3, scene => Aside(scene, 36, 63, 27), "popular numbers, which no drag law gives"),
-        new("Roberto Carlos, 30 m/s, 10 rev/s, 30 m", "off the straight line, m", 4, 0.5, scene => Aside(scene, 30, 10 * RevolutionsPerSecond, 30), "told with 3.5 N, which is the force of 25 m/s"),
+        new("Roberto Carlos, 30 m/s, 10 rev/s, 30 m", "off the straight line, m", 4, 0.5, scene => Aside(scene, 30, 10 * RevolutionsPerSecond, 30), "reported with 3.5 N, which is the force at 25 m/s"),
         new("Physics World 1998, 25 m/s, 8 rev/s", "side force, N", 3.5, 0.4, scene => SideForce(scene, 25, 8 * RevolutionsPerSecond)),
         new("Physics World 1998, 30 m/s, 10 rev/s", "side force, N", 3.5, 0.4, scene => SideForce(scene, 30, 10 * RevolutionsPerSecond), "Asai's own medians give 5.6 N"),
         new("Punt of 28 m/s, no spin", "elevation of the longest, °", 45, 3, scene => Longest(scene, 1.0, 28, 0), "45° is the rule without air"),
         new("Throw-in of 18 m/s, backspin 20 rad/s", "elevation of the longest, °", 30, 3, scene => Longest(scene, 2.2, 18, -20)),
-        new("1172 m for sea level, Brazuca, 34 m/s, 60 rad/s, 25 m", "less aside, m", 0.49, 0.1, scene => Thin(scene, 1172, 20), "place and spin that it was told for are not known to us"),
+        new("1172 m for sea level, Brazuca, 34 m/s, 60 rad/s, 25 m", "less aside, m", 0.49, 0.1, scene => Thin(scene, 1172, 20), "the place and spin of the report are unknown"),
         new("12 °C for 27 °C, the same kick", "more aside, m", 0.166, 0.1, scene => Thin(scene, 0, 27) - Thin(scene, 0, 12), "likewise"),
         new("Knuckle ball of 30 m/s, 20 m", "scatter aside, SD, m", null, 0, Scatter),
     ];
 
     private static LabReport Run(long seed)
     {
-        var table = new LabTable("Kicks", "kick", "number", "told", "±", "measured", "measured is", "published", "published is", "why not");
+        var table = new LabTable("Kicks", "kick", "number", "reported", "±", "measured", "measured is", "published", "published is", "why not");
         var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
-        foreach (ToldKick kick in Kicks)
+        foreach (ReportedKick kick in Kicks)
         {
             double measured = kick.Of(Tunnel);
             double published = kick.Of(Scene.Published);
-            table.Add(kick.Name, kick.Number, kick.Told, kick.Told is null ? null : kick.Within, measured, kick.Verdict(measured), published, kick.Verdict(published), kick.WhyNot);
+            table.Add(kick.Name, kick.Number, kick.Reported, kick.Reported is null ? null : kick.Within, measured, kick.Verdict(measured), published, kick.Verdict(published), kick.WhyNot);
         }
 
         return report;
@@ -84,7 +84,7 @@ internal static class KicksLab
         return highest;
     }
 
-    /// <summary>Launched 0.125 to one side, and bent to the other.</summary>
+    /// <summary>Returns the lateral deviation of the kick launched 0.125 to one side and bent to the other.</summary>
     private static double MenckeAside(Scene scene)
     {
         Vector3d forwards = Velocity(MenckeSpeed, MenckeElevation);
@@ -98,7 +98,7 @@ internal static class KicksLab
         return (time, velocity.Length);
     }
 
-    /// <summary>How far spin about the vertical bends a kick off its first direction, m.</summary>
+    /// <summary>Returns the lateral deviation of a kick with spin about the vertical from its first direction, m.</summary>
     private static double Aside(Scene scene, double speed, double spin, double distance) =>
         Math.Abs(At(scene, distance, new Vector3d(0, Radius, 0), Velocity(speed, 12 * Degree), new Vector3d(0, spin, 0)).Position.Z);
 
@@ -108,7 +108,7 @@ internal static class KicksLab
         return scene.Ball.Mass * lift * speed;
     }
 
-    /// <summary>The elevation, °, of the kick that comes farthest at a speed.</summary>
+    /// <summary>Returns the elevation, °, of the kick with the greatest range at a speed.</summary>
     private static double Longest(Scene scene, double height, double speed, double topSpin)
     {
         double best = 0;
@@ -129,14 +129,14 @@ internal static class KicksLab
         return best;
     }
 
-    /// <summary>How much less a kick bends in the air of a place than in that of the sea's shore at 20 °C, m.</summary>
+    /// <summary>Returns the reduction of a kick's lateral deviation at an altitude, compared with sea level at 20 °C, m.</summary>
     private static double Thin(Scene scene, double altitude, double temperature)
     {
         Scene Of(Weather weather) => scene with { Ball = BallProperties.Brazuca, Air = weather.ToAir() };
         return Aside(Of(new Weather()), 34, 60, 25) - Aside(Of(Weather.AtAltitude(altitude, temperature)), 34, 60, 25);
     }
 
-    /// <summary>Standard deviation of where knuckle balls of many seeds pass aside, m.</summary>
+    /// <summary>Returns the standard deviation of the lateral positions at which knuckle balls of many seeds pass, m.</summary>
     private static double Scatter(Scene scene)
     {
         double squares = 0;
@@ -152,7 +152,7 @@ internal static class KicksLab
 
     private static Vector3d Velocity(double speed, double elevation) => new(speed * Math.Cos(elevation), speed * Math.Sin(elevation), 0);
 
-    /// <summary>When, where and how fast a ball passes a distance.</summary>
+    /// <summary>Returns time, position and velocity of a ball when it passes a distance.</summary>
     private static (double Time, Vector3d Position, Vector3d Velocity) At(Scene scene, double distance, Vector3d position, Vector3d velocity, Vector3d spin)
     {
         BallState before = default;

@@ -1,19 +1,19 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>A kick that was flown, and the request that it answers.</summary>
-/// <param name="Request">What the kick does: its target is a point of its way, its speed and spins are the kick's.</param>
-/// <param name="Time">When it is at the target, s.</param>
-/// <param name="Between">A point that it passes before, m.</param>
+/// <summary>A simulated kick, and the request that it solves.</summary>
+/// <param name="Request">The request: its target is a point of the kick's path, its speed and spins are the kick's.</param>
+/// <param name="Time">The time at which the kick is at the target, s.</param>
+/// <param name="Between">A point of the path before the target, m.</param>
 /// <param name="Elevation">Its elevation, degrees.</param>
 internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Between, double Elevation)
 {
     private const double Degree = Math.PI / 180;
 
-    /// <summary>The balls that kicks are made with.</summary>
+    /// <summary>The balls of the kicks.</summary>
     public static BallProperties[] Balls { get; } =
         [BallProperties.Tunnel, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall];
 
-    /// <summary>The same request with its point on the way, and the spins to be found.</summary>
+    /// <summary>The request with a waypoint, and with unknown spins.</summary>
     public AimRequest TwoPoint => Request with
     {
         Waypoint = Between,
@@ -23,9 +23,9 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
         MaximumSideSpin = Math.Max(40, 1.05 * Math.Abs(Request.SideSpin)),
     };
 
-    /// <summary>A scene with one of the balls and a wind from anywhere.</summary>
-    /// <param name="random">Where its numbers come from.</param>
-    /// <param name="ball">Which of <see cref="Balls"/>.</param>
+    /// <summary>Returns a scene with one of the balls and a wind from any direction.</summary>
+    /// <param name="random">The random numbers.</param>
+    /// <param name="ball">The index in <see cref="Balls"/>.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     public static Scene Scene(Random random, int ball, double wind)
     {
@@ -38,9 +38,9 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     }
 
     /// <summary>Draws kicks until one is at least 1 m away before it touches the ground.</summary>
-    /// <param name="random">Where its numbers come from.</param>
+    /// <param name="random">The random numbers.</param>
     /// <param name="simulator">The scene.</param>
-    /// <param name="path">Room for a flight.</param>
+    /// <param name="path">The buffer for a flight.</param>
     /// <param name="steepest">Largest elevation, degrees.</param>
     public static KnownKick Draw(Random random, Simulator simulator, Trajectory path, double steepest = 85)
     {

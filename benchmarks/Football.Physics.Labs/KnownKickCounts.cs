@@ -1,19 +1,19 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>How many kicks that were flown are found again, by every question that has an answer then.</summary>
+/// <summary>Counts the simulated kicks that are found again, by every query that has a solution then.</summary>
 internal static class KnownKickCounts
 {
     public static readonly string[] Columns =
         ["kicks", "low arc", "high arc", "at their time", "no slower one", "below 45°", "two points below 45°", "false hits", "most simulations"];
 
-    /// <summary>Kicks with one scene.</summary>
+    /// <summary>The number of kicks per scene.</summary>
     private const int PerScene = 10;
 
-    /// <summary>Asks for kicks, on all processors.</summary>
+    /// <summary>Aims kicks, on all processors.</summary>
     /// <param name="seed">Seed of the kicks.</param>
-    /// <param name="count">How many.</param>
+    /// <param name="count">The number of kicks.</param>
     /// <param name="wind">Largest wind, m/s.</param>
-    /// <param name="balls">With how many of the balls.</param>
+    /// <param name="balls">The number of different balls to use.</param>
     public static LabCounts Of(int seed, int count, double wind, int balls) =>
         LabCounts.Of(count, PerScene, (counts, index, kicks) => Run(counts, seed, index, kicks, wind, balls));
 
@@ -52,8 +52,8 @@ internal static class KnownKickCounts
             counts.Most("most iterations", (long)Math.Max(low.Iterations, Math.Max(high.Iterations, two.Iterations)));
             counts.Most("most simulations", (long)Math.Max(low.Simulations, Math.Max(high.Simulations, two.Simulations)));
 
-            void RequireTruth(AimRequest asked, in AimResult result) => Require(
-                !result.HitsTarget || truth.Of(asked, result.Velocity, result.Spin) <= TrueMiss.Rounding * asked.Tolerance, "false hits", "false hit", in result);
+            void RequireTruth(AimRequest aim, in AimResult result) => Require(
+                !result.HitsTarget || truth.Of(aim, result.Velocity, result.Spin) <= TrueMiss.Rounding * aim.Tolerance, "false hits", "false hit", in result);
 
             void Require(bool found, string column, string question, in AimResult result) => counts.Require(
                 found,

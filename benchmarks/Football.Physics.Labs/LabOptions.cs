@@ -7,7 +7,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>The options of every experiment, and what becomes of its report.</summary>
+/// <summary>The options of every experiment, and the output of its report.</summary>
 internal sealed class LabOptions
 {
     private readonly Option<long> _seed = Arguments.Whole("--seed", "Seed of the random values.", long.MinValue, long.MaxValue, 1);
@@ -15,15 +15,15 @@ internal sealed class LabOptions
     private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE", Description = "Write the tables as CSV." };
     private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE", Description = "Draw FILE.svg, or FILE.png if Chromium is installed." };
 
-    /// <summary>Does less of everything.</summary>
+    /// <summary>Runs a smaller sample of everything.</summary>
     public static Option<bool> Quick() => new("--quick") { Description = "Run a small sample, only to check that the experiment works." };
 
-    /// <summary>Makes the command of an experiment that has nothing to draw.</summary>
+    /// <summary>Makes the command of an experiment without a picture.</summary>
     public static Command Create(
         string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more) =>
         new LabOptions().Make(name, description, examples, terminal, run, more);
 
-    /// <summary>Makes the command of an experiment that draws.</summary>
+    /// <summary>Makes the command of an experiment with a picture.</summary>
     public static Command CreateDrawn(
         string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more)
     {

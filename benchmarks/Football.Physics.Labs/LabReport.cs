@@ -2,7 +2,7 @@ using System.Xml.Linq;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>What an experiment has to say: tables, and pictures if asked for.</summary>
+/// <summary>The results of an experiment: tables, and pictures on request.</summary>
 internal sealed class LabReport
 {
     public required string Name { get; init; }
@@ -14,12 +14,12 @@ internal sealed class LabReport
     /// <summary>Lines below the tables.</summary>
     public List<string> Notes { get; } = [];
 
-    /// <summary>What the CSV has instead of the tables; null where it has the tables.</summary>
+    /// <summary>The table that the CSV contains instead of the tables; null if it contains the tables.</summary>
     public LabTable? Rows { get; set; }
 
     /// <summary>Draws the picture.</summary>
     public Func<XElement>? Picture { get; set; }
 
-    /// <summary>Whether a case failed.</summary>
+    /// <summary>True if a case failed.</summary>
     public bool Failed { get; set; }
 }

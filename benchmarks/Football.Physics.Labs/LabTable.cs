@@ -14,7 +14,7 @@ internal sealed class LabTable(string name, params string[] columns)
 
     public void Add(params object?[] cells) => Rows.Add(cells);
 
-    /// <summary>The table for a person.</summary>
+    /// <summary>Prints the table for a person.</summary>
     public void Print(IAnsiConsole to)
     {
         Table table = new Table().Border(TableBorder.Simple);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>How many answers of look-aheads are wrong: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>
+/// <summary>Counts wrong results of look-aheads: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>
 internal static class LookAheadCounts
 {
     public static readonly string[] Columns =
@@ -9,12 +9,12 @@ internal static class LookAheadCounts
     private const int PerScene = 20;
     private const double Closeness = 1e-6;
 
-    /// <summary>How far a look-ahead in its default step may be from one in steps of 0.1 ms where a game's own force is stiff, m.</summary>
+    /// <summary>The largest distance, m, between a look-ahead at its default step and one at 0.1 ms steps, if a custom force is stiff.</summary>
     private const double StiffBound = 0.01;
 
-    /// <summary>Looks ahead, on all processors.</summary>
+    /// <summary>Runs look-aheads, on all processors.</summary>
     /// <param name="seed">Seed of the kicks.</param>
-    /// <param name="count">How many.</param>
+    /// <param name="count">The number of kicks.</param>
     public static LabCounts Of(int seed, int count) => LabCounts.Of(count, PerScene, (counts, index, paths) => Run(counts, seed, index, paths));
 
     private static void Run(LabCounts counts, int seed, int index, int count)
@@ -46,7 +46,7 @@ internal static class LookAheadCounts
         Push(counts, random, scene, path, other);
     }
 
-    /// <summary>Planes just below the apex, planes through the path, and planes across it.</summary>
+    /// <summary>Tests planes just below the apex, planes through the path, and planes across it.</summary>
     private static void Cross(LabCounts counts, Random random, Trajectory path)
     {
         double start = path.Pieces[0].StartPosition.Y;
@@ -72,7 +72,7 @@ internal static class LookAheadCounts
         }
     }
 
-    /// <summary>Whether a dense look at a path changes sides of a plane.</summary>
+    /// <summary>True if dense samples of a path change sides of a plane.</summary>
     private static bool IsCrossed(Trajectory path, Vector3d point, Vector3d normal)
     {
         double first = Vector3d.Dot(path.Pieces[0].StartPosition - point, normal);
@@ -88,7 +88,7 @@ internal static class LookAheadCounts
         return false;
     }
 
-    /// <summary>Whether a path until it has passed a point ends before it comes closest to it.</summary>
+    /// <summary>Checks that a path that stops after passing a point does not end before its closest approach to the point.</summary>
     private static void EndEarly(LabCounts counts, Random random, Simulator simulator, in BallState ball, StopAt end, Trajectory whole, Trajectory until)
     {
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
@@ -104,7 +104,7 @@ internal static class LookAheadCounts
             $"until passing {point}: ends at {until.EndTime} s, {off} m further than at {whole.ClosestApproach(point).Time} s; {ball.Velocity} m/s, wind {simulator.Scene.Air.Wind}");
     }
 
-    /// <summary>Whether memory that fits exactly is complete, and memory with room for one piece less is not.</summary>
+    /// <summary>True if a buffer of exactly the right size is complete, and a buffer one piece smaller is not.</summary>
     private static bool FitsExactly(Simulator simulator, in BallState ball, StopAt end, Trajectory whole)
     {
         var request = new LookAheadRequest { StopAt = end, Duration = 12 };
@@ -122,7 +122,7 @@ internal static class LookAheadCounts
         return fits;
     }
 
-    /// <summary>A damper and a net of a game's own, from soft to very stiff: followed, or refused.</summary>
+    /// <summary>Tests a damper and a net as custom forces, from soft to very stiff: the library must follow or reject them.</summary>
     private static void Push(LabCounts counts, Random random, Scene scene, Trajectory path, Trajectory fine)
     {
         double damping = Math.Pow(10, AimSets.Between(random, -2, 3));

@@ -7,7 +7,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>A file for a picture: SVG, or PNG where a program that renders it is installed.</summary>
+/// <summary>A file for a picture: SVG, or PNG if a renderer is installed.</summary>
 internal sealed class PlotFile : IDisposable
 {
     private static readonly string[] Renderers = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"];
@@ -24,8 +24,8 @@ internal sealed class PlotFile : IDisposable
 
     public string Path => _file.Path;
 
-    /// <summary>Checks that the picture can be made before anything is computed.</summary>
-    /// <exception cref="RefusedException">Another ending, no renderer, or a file that cannot be written.</exception>
+    /// <summary>Checks that the picture can be written before the computation starts.</summary>
+    /// <exception cref="RefusedException">The file has another extension, no renderer is installed, or the file cannot be written.</exception>
     public static PlotFile For(string path) => System.IO.Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".svg" => new PlotFile(path, null),
@@ -36,7 +36,7 @@ internal sealed class PlotFile : IDisposable
 
     public void Write(XElement figure)
     {
-        // Its first words are its heading.
+        // Use its first text as the heading.
         XElement drawing = Svg.Standing(figure.Descendants().FirstOrDefault(part => part.Name.LocalName == "text")?.Value ?? "Plot", figure);
         if (_renderer is null)
         {

@@ -12,7 +12,7 @@ internal static class PrecisionLab
 {
     private const double ReferenceStep = 0.0002;
 
-    /// <summary>How long a row is measured, s.</summary>
+    /// <summary>The time for which a row is measured, s.</summary>
     private const double MeasuredFor = 0.15;
 
     private static readonly double[] Steps = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32];
@@ -86,7 +86,7 @@ internal static class PrecisionLab
         return report;
     }
 
-    /// <summary>RK4 with 0.1 ms, and how far 0.2 ms is from it.</summary>
+    /// <summary>Computes the reference, RK4 with 0.1 ms, and its distance from 0.2 ms.</summary>
     private static PrecisionPoint[] Reference(Shot[] shots, StopAt stop, LabReport report, string name)
     {
         var simulator = new Simulator(Scene.Published);
@@ -98,7 +98,7 @@ internal static class PrecisionLab
         return fine;
     }
 
-    /// <summary>Plays until the runtime has compiled everything for good: it counts calls, and waits for a tenth of a second without new ones.</summary>
+    /// <summary>Runs until the runtime has compiled the final code: it counts calls, and waits for a tenth of a second without new ones.</summary>
     private static void WarmUp(SolverSettings settings, Shot[] shots, StopAt stop)
     {
         var simulator = new Simulator(Scene.Published, settings);
@@ -161,7 +161,7 @@ internal static class PrecisionLab
         return table;
     }
 
-    /// <summary>Evaluations and time for a mean error, between the step sizes on the log–log line.</summary>
+    /// <summary>Returns evaluations and time for a mean error, interpolated between the step sizes on the log–log line.</summary>
     private static LabTable Needed(string name, List<PrecisionRow> points)
     {
         var table = new LabTable(
@@ -183,7 +183,7 @@ internal static class PrecisionLab
         return table;
     }
 
-    /// <summary>What is picked for a wanted accuracy, what it costs and how accurate it is.</summary>
+    /// <summary>Returns the settings chosen for a requested accuracy, their cost and their accuracy.</summary>
     private static LabTable Wanted(string name, Shot[] shots, PrecisionPoint[] reference, double seconds)
     {
         var table = new LabTable(
@@ -201,7 +201,7 @@ internal static class PrecisionLab
 
     private static double? Between(PrecisionRow[] rows, double error, Func<PrecisionRow, double> work)
     {
-        // From the coarsest step on: the first pair that brackets the error and stays below it.
+        // From the coarsest step on: find the first pair that brackets the error and stays below it.
         int first = Array.FindIndex(rows, row => row.Mean <= error);
         if (first < 0)
         {

@@ -2,7 +2,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>The same requests in scenes of both profiles: how many kicks are found, with how many flights, and how far off they are.</summary>
+/// <summary>Solves the same requests in scenes of both profiles, and counts the kicks found, the flights and the errors.</summary>
 internal static class ProfileAims
 {
     private const double Tolerance = 1e-3;
@@ -21,7 +21,7 @@ internal static class ProfileAims
         ("measured, gusts of 8 m/s", Scene.Measured with { Air = new Air { WindField = new WindByHeight(8, 1, -2, gusts: new Gusts { Seed = 7 }) } }),
     ];
 
-    /// <summary>Asks for kicks of 20 to 30 m/s with spin at points in the goal, to a millimetre.</summary>
+    /// <summary>Aims kicks of 20 to 30 m/s with spin at points in the goal, to a millimetre.</summary>
     public static (int Hits, double Simulations, int Most, double Worst) Of(Scene scene, int seed, int count)
     {
         var aimer = new Aimer(scene);

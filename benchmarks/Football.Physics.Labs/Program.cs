@@ -1,5 +1,5 @@
 using FootballPhysics.Labs;
 using FootballPhysics.Tool.Commands;
 
-// The tool, with the laboratories in it.
+// Run the tool together with the laboratories.
 return CommandLineEntry.Run(args, Terminal.OfProcess(), Laboratories.Create);

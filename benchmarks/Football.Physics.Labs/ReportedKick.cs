@@ -1,13 +1,13 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>A number of a kick that somebody measured or told.</summary>
+/// <summary>A published number of a kick.</summary>
 /// <param name="Name">The kick.</param>
-/// <param name="Number">What of it.</param>
-/// <param name="Told">The number; null where none is known.</param>
-/// <param name="Within">How near it is near.</param>
-/// <param name="Of">The number in a scene.</param>
-/// <param name="WhyNot">Why it is not met, as far as is known.</param>
-internal sealed record ToldKick(string Name, string Number, double? Told, double Within, Func<Scene, double> Of, string? WhyNot = null)
+/// <param name="Number">The name of the number.</param>
+/// <param name="Reported">The published number; null if none is known.</param>
+/// <param name="Within">The tolerance.</param>
+/// <param name="Of">Computes the number in a scene.</param>
+/// <param name="WhyNot">The known reason for a deviation.</param>
+internal sealed record ReportedKick(string Name, string Number, double? Reported, double Within, Func<Scene, double> Of, string? WhyNot = null)
 {
-    public string? Verdict(double value) => Told is { } told ? Math.Abs(value - told) <= Within ? "met" : "NOT MET" : null;
+    public string? Verdict(double value) => Reported is { } reported ? Math.Abs(value - reported) <= Within ? "met" : "NOT MET" : null;
 }

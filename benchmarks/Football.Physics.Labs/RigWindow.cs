@@ -1,10 +1,10 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>What a test of pitches asks of the rigs' results.</summary>
+/// <summary>The requirements of a test of pitches for the results of the rigs.</summary>
 /// <param name="Name">The test.</param>
-/// <param name="Drop">Least and greatest bounce, m.</param>
-/// <param name="Angle">What is left of the speed along the ground, %.</param>
-/// <param name="Roll">Length of the roll, m.</param>
+/// <param name="Drop">The least and greatest bounce, m.</param>
+/// <param name="Angle">The share of the speed along the ground that remains, %.</param>
+/// <param name="Roll">The length of the roll, m.</param>
 internal sealed record RigWindow(string Name, (double Least, double Most)? Drop, (double Least, double Most)? Angle, (double Least, double Most)? Roll)
 {
     public static string? Text((double Least, double Most)? window) =>

@@ -3,19 +3,19 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab rigs: what FIFA's rigs for pitches would measure on every surface of both profiles, beside the windows of the tests.</summary>
+/// <summary>football lab rigs: the results of FIFA's rigs for pitches on every surface of both profiles, next to the windows of the tests.</summary>
 internal static class RigsLab
 {
     private const double TimeStep = 0.002;
 
-    /// <summary>The ball is dropped from so high, of its lowest point, m.</summary>
+    /// <summary>The height of the ball's lowest point before the drop, m.</summary>
     private const double DropHeight = 2;
 
-    /// <summary>The ball is shot at 50 km/h, 15° down.</summary>
+    /// <summary>The speed of the ball for the angled shot, 50 km/h at 15° down, m/s.</summary>
     private const double ShotSpeed = 50 / 3.6;
     private const double ShotAngle = 15 * Math.PI / 180;
 
-    /// <summary>The ball comes down a ramp of 1 m at 45°, on two rails 100 mm apart inside.</summary>
+    /// <summary>The height of the ramp, m; it has an angle of 45° and two rails 100 mm apart inside.</summary>
     private const double RampHeight = 1;
     private const double RailGap = 0.1;
 
@@ -24,7 +24,7 @@ internal static class RigsLab
     private static readonly RigWindow QualityPro = new("FIFA Quality Pro", (0.60, 0.85), (45, 60), (4, 8));
     private static readonly RigWindow Concrete = new("test ball on concrete", (1.32, 1.38), null, null);
 
-    /// <summary>Every surface, its scene, and what the rigs ask of it; null where nothing is known.</summary>
+    /// <summary>Every surface, its scene, and the requirements of the rigs; null if none are known.</summary>
     public static IReadOnlyList<(string Profile, string Surface, Scene Scene, RigWindow? Window)> Surfaces { get; } =
     [
         Measured("dryTurf", Ground.Of(SurfaceMaterial.DryTurf), Natural),
@@ -49,7 +49,7 @@ internal static class RigsLab
         terminal,
         (_, seed, _) => Run(seed));
 
-    /// <summary>How high the ball bounces from 2 m, its lowest point, m.</summary>
+    /// <summary>Returns the height of the bounce from 2 m, at the ball's lowest point, m.</summary>
     public static double Drop(Scene scene)
     {
         var simulator = new Simulator(scene);
@@ -68,7 +68,7 @@ internal static class RigsLab
         return highest - simulator.ContactHeight;
     }
 
-    /// <summary>What is left of the speed along the ground of a shot without spin, %.</summary>
+    /// <summary>Returns the share of the speed along the ground that remains of a shot without spin, %.</summary>
     public static double AngledShot(Scene scene)
     {
         var simulator = new Simulator(scene);
@@ -79,10 +79,10 @@ internal static class RigsLab
         return 100 * log.Events[0].Velocity.X / velocity.X;
     }
 
-    /// <summary>How far the ball rolls from the ramp, m.</summary>
+    /// <summary>Returns the length of the roll from the ramp, m.</summary>
     public static double Roll(Scene scene)
     {
-        // On two rails a ball turns as one of the radius r' = √(r² − (w/2)²): v² = 2 g h/(1 + α (r/r')²), ω = v/r'.
+        // On two rails a ball turns with the effective radius r' = √(r² − (w/2)²): v² = 2 g h/(1 + α (r/r')²), ω = v/r'.
         BallProperties ball = scene.Ball;
         double onRails = Math.Sqrt((ball.Radius * ball.Radius) - (0.25 * RailGap * RailGap));
         double turning = ball.Radius / onRails;

@@ -1,22 +1,22 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>Aims at targets on and over slopes: whether hits pass the target that was asked for, when they are played.</summary>
+/// <summary>Aims at targets on and over slopes, and checks that hits pass the target when they are simulated.</summary>
 internal static class SlopeCounts
 {
     public static readonly string[] Columns = ["requests", "hits", "false hits", "worst, mm"];
 
     private const int PerScene = 20;
 
-    /// <summary>What the chords of the path that is played may add, m.</summary>
+    /// <summary>The error that the chords of the simulated path may add, m.</summary>
     private const double Room = 1e-3;
 
     private const double TimeStep = 1e-3;
 
-    /// <summary>Asks for kicks.</summary>
+    /// <summary>Aims kicks.</summary>
     /// <param name="seed">Seed of the requests.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="steepest">Slope at most, as a share.</param>
-    /// <param name="isUneven">Whether the ground is a height field.</param>
+    /// <param name="count">The number of requests.</param>
+    /// <param name="steepest">The steepest slope, as a share.</param>
+    /// <param name="isUneven">True if the ground is a height field.</param>
     public static LabCounts Of(int seed, int count, double steepest, bool isUneven) =>
         LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, new Random((seed * 100_003) + index), requests, steepest, isUneven));
 
@@ -29,7 +29,7 @@ internal static class SlopeCounts
             return new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(x, 1, z).Normalized() };
         }
 
-        // Long waves, as steep.
+        // Long waves with the same steepness.
         double[,] values = new double[40, 40];
         for (int i = 0; i < 40; i++)
         {
@@ -64,7 +64,7 @@ internal static class SlopeCounts
 
     private static Vector3d Lying(Simulator simulator, double x, double z) => simulator.Launch(new Vector3d(x, -20, z), Vector3d.Zero, Vector3d.Zero).Position;
 
-    /// <summary>How close the ball passes on chords of its path.</summary>
+    /// <summary>Returns the closest distance of the ball on chords of its path.</summary>
     private static double Closest(Simulator simulator, Vector3d from, Vector3d target, in AimResult kick)
     {
         BallState ball = simulator.Launch(from, kick.Velocity, kick.Spin);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>Mean, percentiles and worst of some values; of none all are 0.</summary>
+/// <summary>Mean, percentiles and worst of some values; all are 0 if there are no values.</summary>
 internal sealed class Spread(IEnumerable<double> values)
 {
     private readonly double[] _sorted = [.. values.Order().DefaultIfEmpty()];
@@ -13,6 +13,6 @@ internal sealed class Spread(IEnumerable<double> values)
 
     public double Worst => _sorted[^1];
 
-    /// <summary>The smallest value that is not exceeded by the given share.</summary>
+    /// <summary>Returns the smallest value that at least the given share does not exceed.</summary>
     public double Percentile(double share) => _sorted[Math.Max(0, (int)Math.Ceiling(share * _sorted.Length) - 1)];
 }

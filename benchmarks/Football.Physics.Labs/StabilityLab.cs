@@ -6,7 +6,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab stability: random scenes, and what always holds in them.</summary>
+/// <summary>football lab stability: random scenes, and the invariants that must hold in them.</summary>
 internal static class StabilityLab
 {
     private const long MostScenes = 1_000_000_000_000;

@@ -9,16 +9,16 @@ using FootballPhysics.Tool.Sweep;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab sweep: how fast data sets are made, beside the batch that flies their balls.</summary>
+/// <summary>football lab sweep: the rate at which data sets are made, compared with the batch that simulates their balls.</summary>
 internal static class SweepLab
 {
-    /// <summary>Each rate is the best of so many runs.</summary>
+    /// <summary>The number of runs; each rate is the best of them.</summary>
     private const int Runs = 3;
 
-    /// <summary>Rows after which everything is compiled.</summary>
+    /// <summary>The number of rows after which all code is compiled.</summary>
     private const int WarmUp = 50_000;
 
-    /// <summary>Balls of a batch: what fits the caches, as in a sweep.</summary>
+    /// <summary>The number of balls of a batch: they fit the caches, as in a sweep.</summary>
     private const int Balls = 4096;
 
     public static Command Create(Terminal terminal)
@@ -67,14 +67,14 @@ internal static class SweepLab
         return report;
     }
 
-    /// <summary>The greatest rate, and the least processor time, which others on the same machine change less.</summary>
+    /// <summary>Returns the greatest rate, and the least processor time, which other programs on the machine affect less.</summary>
     private static (double Rate, double Microseconds) Best(Func<(double Rate, double Microseconds)> run)
     {
         var runs = Enumerable.Range(0, Runs).Select(_ => run()).ToArray();
         return (runs.Max(one => one.Rate), runs.Min(one => one.Microseconds));
     }
 
-    /// <summary>Rows a second, and the processor time of one, µs.</summary>
+    /// <summary>Measures the rows per second, and the processor time per row, µs.</summary>
     private static (double Rate, double Microseconds) Measure(double rows, Action work)
     {
         TimeSpan before = Environment.CpuUsage.TotalTime;
@@ -83,7 +83,7 @@ internal static class SweepLab
         return (rows / clock.Elapsed.TotalSeconds, (Environment.CpuUsage.TotalTime - before).TotalMicroseconds / rows);
     }
 
-    /// <summary>The batch alone: nothing is drawn or written meanwhile.</summary>
+    /// <summary>Measures the batch alone: it draws and writes nothing meanwhile.</summary>
     private static (double Rate, double Microseconds) Fly(SweepPlan plan, long count, int threads)
     {
         var batches = Enumerable.Range(0, threads).Select(_ => (Batch: new BallBatch(plan.Scene.Scene, plan.Scene.BatchSettings), Launches: Launches(plan), Flights: new BatchFlights(Balls))).ToArray();

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>What a kick really misses by: its closest approach to the target before its first impact, by a look-ahead in RK4 at 5 ms.</summary>
+/// <summary>Computes the true miss of a kick: its closest approach to the target before its first impact, by a look-ahead in RK4 at 5 ms.</summary>
 /// <param name="scene">The scene.</param>
 internal sealed class TrueMiss(Scene scene)
 {
-    /// <summary>How much more than its tolerance a hit may miss by: its miss was measured in other steps.</summary>
+    /// <summary>The factor by which a hit may exceed its tolerance: its miss was measured with other steps.</summary>
     public const double Rounding = 1.01;
 
     private static readonly LookAheadRequest s_look = new() { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact };
@@ -12,8 +12,8 @@ internal sealed class TrueMiss(Scene scene)
     private readonly Simulator _simulator = new(scene);
     private Trajectory _path = new(8192);
 
-    /// <summary>The closest approach of a kick, m.</summary>
-    /// <param name="request">What it was to do.</param>
+    /// <summary>Returns the closest approach of a kick, m.</summary>
+    /// <param name="request">The request.</param>
     /// <param name="velocity">Its velocity, m/s.</param>
     /// <param name="spin">Its spin, rad/s.</param>
     public double Of(AimRequest request, Vector3d velocity, Vector3d spin)
@@ -27,7 +27,7 @@ internal sealed class TrueMiss(Scene scene)
             _simulator.LookAhead(in ball, s_look, _path);
         }
 
-        // A target below contact height is raised to it, as a ball is.
+        // A target below contact height is raised to it, like a ball.
         return _path.ClosestApproach(new Vector3d(request.Target.X, Math.Max(request.Target.Y, _simulator.ContactHeight), request.Target.Z)).Distance;
     }
 }

@@ -5,7 +5,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
-/// <summary>football lab vacuum: the thesis' table 3.1, landing points in vacuum against the closed form.</summary>
+/// <summary>football lab vacuum: the thesis' table 3.1, landing points in vacuum compared with the closed form.</summary>
 internal static class VacuumLab
 {
     private const int Shots = 50;
@@ -50,7 +50,7 @@ internal static class VacuumLab
                     double[] errors = [.. kicks.Select(kick => Error(method, timing, step, kick.X, kick.Y))];
                     means[i] = 1e3 * errors.Average();
 
-                    // Euler's error is exactly v_x Δt; what is judged is how far off that a shot is.
+                    // Euler's error is exactly v_x Δt, so judge the relative deviation of each shot from it.
                     double off = euler ? errors.Zip(kicks, (error, kick) => Math.Abs((error / (kick.X * step)) - 1)).Max() * 100 : 1e3 * errors.Max();
                     worst = Math.Max(worst, off);
                 }
