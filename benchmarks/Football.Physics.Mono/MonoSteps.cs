@@ -4,13 +4,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Mono;
 
-/// <summary>Times flight steps and look-aheads beside the plain yardstick, in the process that it is called in.</summary>
+/// <summary>Times flight steps and look-aheads next to the plain yardstick, in the calling process.</summary>
 public static class MonoSteps
 {
     private const double LookAheadStep = 0.08;
 
     /// <summary>Prints a table in Markdown.</summary>
-    /// <param name="seconds">Time for each row, s.</param>
+    /// <param name="seconds">The time for each row, s.</param>
     public static void Print(double seconds)
     {
         Console.WriteLine("| | ns | yardstick, ns | ratio |\n|---|--:|--:|--:|");
@@ -27,7 +27,7 @@ public static class MonoSteps
 
     private static void Row(string name, Func<int> subject, Func<int> yardstick, double seconds)
     {
-        // Both are compiled before anything is timed; then they take turns, and the median round counts.
+        // Compile both before the measurement; then they alternate, and the median round counts.
         subject();
         yardstick();
         var a = new List<double>();
@@ -43,7 +43,7 @@ public static class MonoSteps
         Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "| {0} | {1:G3} | {2:G3} | {3:G3} |", name, ours, plain, ours / plain));
     }
 
-    /// <summary>Nanoseconds an operation.</summary>
+    /// <summary>Returns the time per operation, ns.</summary>
     private static double Time(Func<int> run)
     {
         long start = Stopwatch.GetTimestamp();

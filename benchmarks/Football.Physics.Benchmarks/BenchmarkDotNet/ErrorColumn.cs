@@ -5,7 +5,7 @@ using BenchmarkDotNet.Running;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The error of the same method at the same step, beside its time.</summary>
+/// <summary>A column with the error of the same method at the same step, next to its time.</summary>
 internal sealed class ErrorColumn : IColumn
 {
     public string Id => nameof(ErrorColumn);

@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>One step in flight, each waiting for the one before: integrator × law × set, with the plain yardstick as baseline.</summary>
+/// <summary>One step in flight, in a dependent chain: integrator × law × set, with the plain yardstick as baseline.</summary>
 [MemoryDiagnoser]
 public class FlightBenchmarks : IHasError
 {

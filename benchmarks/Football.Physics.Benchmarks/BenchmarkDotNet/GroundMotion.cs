@@ -1,6 +1,6 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>What a ball on the ground is doing.</summary>
+/// <summary>The motions of a ball on the ground.</summary>
 public enum GroundMotion
 {
     Sliding = 0,

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A benchmark class that knows the error of what it times.</summary>
+/// <summary>A benchmark class that computes the error of the timed method.</summary>
 public interface IHasError
 {
-    /// <summary>Mean error of a benchmark with the parameters that are set, m; NaN where there is none.</summary>
+    /// <summary>Returns the mean error of a benchmark with the current parameters, m; NaN if there is none.</summary>
     double Error(string benchmark);
 }

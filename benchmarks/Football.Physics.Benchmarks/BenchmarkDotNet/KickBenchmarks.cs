@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A free kick from foot to rest at 60 Hz, all of it, beside as many flight steps of the same scene as it takes: profile × integrator.</summary>
+/// <summary>A complete free kick from foot to rest at 60 Hz, compared with the same number of flight steps of the same scene: profile × integrator.</summary>
 [MemoryDiagnoser]
 public class KickBenchmarks
 {

@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>Where a shot is after three seconds, bounces and all, every event exact; against a plain RK2 step.</summary>
+/// <summary>The position of a shot after three seconds, including bounces, with every event exact; compared with a plain RK2 step.</summary>
 [MemoryDiagnoser]
 public class LookAheadBenchmarks : IHasError
 {
@@ -16,7 +16,7 @@ public class LookAheadBenchmarks : IHasError
     [Params(Integrator.Rk2, Integrator.Rk4)]
     public Integrator Integrator { get; set; }
 
-    /// <summary>Step, ms.</summary>
+    /// <summary>The time step, ms.</summary>
     [Params(10, 40, 80)]
     public int Milliseconds { get; set; }
 

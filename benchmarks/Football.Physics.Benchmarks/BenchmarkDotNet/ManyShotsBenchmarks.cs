@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A batch of different shots: one after the other (a dependent chain) and side by side (independent steps).</summary>
+/// <summary>A batch of different shots: one after another (a dependent chain) and interleaved (independent steps).</summary>
 [MemoryDiagnoser]
 public class ManyShotsBenchmarks : IHasError
 {

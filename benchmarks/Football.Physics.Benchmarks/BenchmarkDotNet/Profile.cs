@@ -3,9 +3,9 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>A profile of air and ground.</summary>
 public enum Profile
 {
-    /// <summary>What everybody gets: <c>new Scene()</c>.</summary>
+    /// <summary>The default profile: <c>new Scene()</c>.</summary>
     Default = 0,
 
-    /// <summary>The thesis' own.</summary>
+    /// <summary>The thesis' profile.</summary>
     Published = 1,
 }

@@ -4,7 +4,7 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>One step in flight with all forces by every way there is to compare with; the plain one is the baseline.</summary>
+/// <summary>One step in flight with all forces, by the library and every yardstick; the plain one is the baseline.</summary>
 [MemoryDiagnoser]
 public class YardstickBenchmarks : IHasError
 {

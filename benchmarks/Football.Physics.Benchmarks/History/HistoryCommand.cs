@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>`quick --history FILE`: adds the ratios of this build to the history, and draws it beside the file.</summary>
+/// <summary>`quick --history FILE`: adds the ratios of this build to the history, and draws it next to the file.</summary>
 internal static class HistoryCommand
 {
     public static void Run(string path, double seconds)
@@ -20,7 +20,7 @@ internal static class HistoryCommand
             Console.WriteLine($"{Text.Number(ratio)}  {row.Name}");
         }
 
-        // The compiler wrote both into the library: "0.1.0+8ac81b91…".
+        // The compiler wrote both into the library's version: "0.1.0+8ac81b91…".
         string[] built = typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+');
         string date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
         file.Add([date, built[0], built.ElementAtOrDefault(1) ?? "", RuntimeInformation.FrameworkDescription, Machine.Processor], ratios);

@@ -3,7 +3,7 @@ using nietras.SeparatedValues;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The history of the ratios: a CSV file with a line for each version that was measured.</summary>
+/// <summary>The history of the ratios: a CSV file with a line per measured version.</summary>
 internal sealed class HistoryFile(string path)
 {
     private static readonly string[] s_facts = ["date", "version", "commit", "runtime", "processor"];
@@ -43,7 +43,7 @@ internal sealed class HistoryFile(string path)
         return file;
     }
 
-    /// <summary>Adds a line. A ratio that the file did not have becomes a new column.</summary>
+    /// <summary>Adds a line. A ratio that the file does not contain yet becomes a new column.</summary>
     public void Add(IReadOnlyList<string> facts, IReadOnlyList<(string Name, double Ratio)> ratios)
     {
         Dictionary<string, string> line = s_facts.Zip(facts).ToDictionary(fact => fact.First, fact => fact.Second);
@@ -56,7 +56,7 @@ internal sealed class HistoryFile(string path)
         _lines.Add(line);
     }
 
-    /// <summary>The ratios of a column, each with the number of its line.</summary>
+    /// <summary>Returns the ratios of a column, each with the number of its line.</summary>
     public IEnumerable<(int Line, double Ratio)> Of(string column) => _lines.Index()
         .Where(line => line.Item.GetValueOrDefault(column, "").Length > 0)
         .Select(line => (line.Index, double.Parse(line.Item[column], CultureInfo.InvariantCulture)));

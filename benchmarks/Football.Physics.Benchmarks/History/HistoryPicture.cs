@@ -3,7 +3,7 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The history as a picture: a small chart for each ratio, with a point for each line of the file.</summary>
+/// <summary>The history as a picture: a small chart per ratio, with a point per line of the file.</summary>
 internal static class HistoryPicture
 {
     private const string Title = "Ratios by version";

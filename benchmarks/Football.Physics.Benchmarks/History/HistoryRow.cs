@@ -1,11 +1,11 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A ratio that the history keeps: a name that stays, a subject and its yardstick.</summary>
+/// <summary>A ratio in the history: a permanent name, a subject and its yardstick.</summary>
 internal sealed record HistoryRow(string Name, Workload Subject, Workload Yardstick)
 {
     private static readonly string[] s_steps = ["flight step, ", "3 s look-ahead, default scene, RK4, 80 ms"];
 
-    /// <summary>The rows of "A kick" in the default scene, and those of "Time for one ball" that a change of every step would move.</summary>
+    /// <summary>Returns the rows of "A kick" in the default scene, and those of "Time for one ball" that a change of every step would affect.</summary>
     public static HistoryRow[] All()
     {
         var scene = new Scene();

@@ -4,7 +4,7 @@ using System.Runtime.Loader;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A build of these benchmarks in a folder, with the library that it was built with, loaded beside other builds.</summary>
+/// <summary>A build of these benchmarks in a folder, loaded next to other builds together with its own library.</summary>
 internal sealed class Build : AssemblyLoadContext
 {
     private const string MainAssembly = "Football.Physics.Benchmarks";
@@ -14,8 +14,8 @@ internal sealed class Build : AssemblyLoadContext
     private Build(string main)
         : base(main) => _resolver = new AssemblyDependencyResolver(main);
 
-    /// <summary>The kicks of a build, by name: those of <see cref="KickTable"/>, in the default scene and in the published one.</summary>
-    /// <exception cref="InvalidOperationException">The folder has no build, or one whose table has another form.</exception>
+    /// <summary>Returns the kicks of a build by name: those of <see cref="KickTable"/>, in the default scene and in the published one.</summary>
+    /// <exception cref="InvalidOperationException">The folder has no build, or one with an incompatible table.</exception>
     public static IReadOnlyDictionary<string, Workload> Kicks(string folder)
     {
         string main = Path.Combine(Path.GetFullPath(folder), MainAssembly + ".dll");

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>`quick --against FOLDER`: the kicks of this build and of another, which alternate in one process.</summary>
+/// <summary>`quick --against FOLDER`: times the kicks of this build and of another one, which alternate in one process.</summary>
 internal static class PairedCommand
 {
-    /// <summary>A kick that takes more than this, relative to the other build, is a regression.</summary>
+    /// <summary>A kick that takes longer than this, relative to the other build, is a regression.</summary>
     public const double Most = 1.05;
 
     /// <summary>Times the kicks that both builds have.</summary>
@@ -23,7 +23,7 @@ internal static class PairedCommand
 
     private static int Compare(string folder, double seconds)
     {
-        // Both are loaded in the same way, so neither has code that the other lacks.
+        // Load both in the same way, so that both have the same extra code.
         IReadOnlyDictionary<string, Workload> now = Build.Kicks(AppContext.BaseDirectory);
         IReadOnlyDictionary<string, Workload> then = Build.Kicks(folder);
         string[] names = [.. now.Keys.Where(then.ContainsKey)];

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of kicks after bounces and off things, to 1 mm: to where random kicks came that had met just these.</summary>
+/// <summary>The rows of kicks after bounces and off objects, to 1 mm. The targets are points that random kicks reached after just these contacts.</summary>
 internal static class BankShotRows
 {
     private const int Count = 16;

@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of many balls and many aims: one core, by ball-step or by aim.</summary>
+/// <summary>The rows of many balls and many aims: on one core, per ball-step or per aim.</summary>
 internal static class BatchRows
 {
     public static IReadOnlyList<TargetRow> All { get; } =
@@ -50,7 +50,7 @@ internal static class BatchRows
         Note = () => $"at most {Text.Length(BatchWorkloads.Misses(scene).Worst)}",
     };
 
-    /// <summary>Both threads at work, by aim and core: a million aims take this many times half a million plain RK2 steps.</summary>
+    /// <summary>Returns the row of both threads, per aim and core: a million aims take this many times half a million plain RK2 steps.</summary>
     private static TargetRow TwoCores(int lanes) => new(
         $"many aims, {lanes * 32}-bit, two cores, to 1 mm, by aim and core, in plain RK2 steps",
         () => BatchWorkloads.AimOnTwoCores(Scene.Published, lanes),

@@ -2,13 +2,13 @@ using System.Diagnostics;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>This program once more, with other settings of the runtime.</summary>
+/// <summary>Runs this program again, with other settings of the runtime.</summary>
 internal static class Child
 {
     /// <summary>The runtime's factor for its pause before it compiles again, on one core.</summary>
     public const string DelayOnOneCore = "DOTNET_TC_DelaySingleProcMultiplier";
 
-    /// <summary>Runs it and returns what it prints.</summary>
+    /// <summary>Runs the program and returns its output.</summary>
     public static string Run(IReadOnlyDictionary<string, string> environment, params string[] arguments)
     {
         string program = Environment.ProcessPath ?? throw new InvalidOperationException("The path of this process is not known.");

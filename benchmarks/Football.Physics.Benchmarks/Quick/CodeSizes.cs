@@ -6,7 +6,7 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>Reads the size of optimised machine code from the JIT's own listing.</summary>
 internal static partial class CodeSizes
 {
-    /// <summary>Sizes, bytes, of a row's step method and of the method around it that looks for events.</summary>
+    /// <summary>Returns the sizes, bytes, of a row's step method and of the method around it that finds events.</summary>
     public static (int? Method, int? Around) Of(int row, FreeRow free)
     {
         if (free.Method is not { } method)

@@ -4,7 +4,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The twelve rows of docs/performance.md that show a game what each call costs, as times and as ratios to a step in flight.</summary>
+/// <summary>The twelve rows of docs/performance.md with the cost of each call, as times and as ratios to a step in flight.</summary>
 internal static class CostTable
 {
     private const int Seed = 1;
@@ -79,7 +79,7 @@ internal static class CostTable
         return new Workload(() => requests.Sum(request => aimer.Find(request).Time), requests.Length);
     }
 
-    /// <summary>Two significant digits with the unit that fits.</summary>
+    /// <summary>Returns two significant digits with the unit that fits.</summary>
     private static string Time(double nanoseconds) => nanoseconds switch
     {
         >= 1e6 => Rounded(1e-6 * nanoseconds) + " ms",

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>What is used for the first time in a process, cold and after it was warmed up: each in a process of its own.</summary>
+/// <summary>The first uses of features in a process, cold and after a warm-up: each in a process of its own.</summary>
 internal static class FirstUseTable
 {
     public const string Name = "First use";
@@ -12,7 +12,7 @@ internal static class FirstUseTable
     private const int Loading = 250;
     private const int WarmUps = 2;
 
-    /// <summary>What is timed, and what is to be reached without any call that warms up, ms.</summary>
+    /// <summary>The timed uses, and the target without a warm-up call, ms.</summary>
     private static readonly (string Name, double? Target)[] s_rows =
     [
         ("`new Ball()`, ms", 10), ("warming up, ms", null), ("first step, ms", 2), ("first impact, ms", 2), ("first slide, ms", 2), ("first roll, ms", 2), ("first look-ahead, ms", 2),
@@ -40,7 +40,7 @@ internal static class FirstUseTable
         }
     }
 
-    /// <summary>The measurement itself, in a fresh process.</summary>
+    /// <summary>Runs the measurement in a fresh process.</summary>
     public static string Measure(bool warm)
     {
         var values = new List<double>();
@@ -79,7 +79,7 @@ internal static class FirstUseTable
         Lap();
         for (int i = 1; warm && i <= WarmUps; i++)
         {
-            // As the rest of a level's loading would: what runs often is being compiled again meanwhile, on another thread.
+            // Wait like the rest of a level's loading, while the runtime recompiles frequent code on another thread.
             Thread.Sleep(Loading);
             if (i < WarmUps)
             {
@@ -99,7 +99,7 @@ internal static class FirstUseTable
         }
 
         Lap();
-        // Along the ground it slides at once, and then rolls.
+        // Along the ground the ball slides at once, and then rolls.
         ball.Place(Vector3d.Zero);
         ball.Kick(new Vector3d(1, 0, -12), Vector3d.Zero);
         double slide = 0;

@@ -5,7 +5,7 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>The rows of the chance of a goal: by derivatives, and by the default number of simulated kicks.</summary>
 internal static class GoalChanceRows
 {
-    /// <summary>The goal is 20 m away. The third kick goes to a corner, so that most kicks are near the frame.</summary>
+    /// <summary>The rows. The goal is 20 m away. The third kick goes to a corner, so that most kicks are near the frame.</summary>
     public static IReadOnlyList<TargetRow> All { get; } =
     [
         new("chance of a goal, spread of 0.5°, by derivatives (20 ms are to be reached), of a 3 s look-ahead of 80 ms", () => Chance(2.5, 1.2, 0.5), QueryRows.LookAhead),
@@ -13,7 +13,7 @@ internal static class GoalChanceRows
         new("the same, aimed at a lower corner", () => Chance(3.2, 0.4, 3), QueryRows.LookAhead),
     ];
 
-    /// <summary>The chance of a kick from 20 m at a point of the goal.</summary>
+    /// <summary>Returns the chance of a goal for a kick from 20 m at a point of the goal.</summary>
     public static Workload Chance(double aside, double height, double degrees)
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };

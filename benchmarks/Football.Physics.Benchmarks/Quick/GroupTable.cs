@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of "A ball in a group": RK2 at 10 ms, the default scene, a group of one beside its ball alone; and a ball that is kicked in a net.</summary>
+/// <summary>The rows of "A ball in a group": RK2 at 10 ms, the default scene, a group of one compared with its ball alone; and a ball that is kicked in a net.</summary>
 internal static class GroupTable
 {
     private const int Steps = 30;
@@ -45,14 +45,14 @@ internal static class GroupTable
         }
     }
 
-    /// <summary>A group of one, and its ball alone in an equal scene.</summary>
+    /// <summary>Returns a group of one, and its ball alone in an equal scene.</summary>
     private static (Workload Subject, Workload Yardstick) Pair(Func<Scene> scene, Func<Simulator, BallState[]> starts)
     {
         Simulator alone = Compile(scene());
         return (Grouped(Compile(scene()), starts), Single(alone, starts(alone)));
     }
 
-    /// <summary>Two balls of a group: the time is that of one of them.</summary>
+    /// <summary>Steps two balls of a group; the time is per ball.</summary>
     private static Workload Two(Scene scene)
     {
         Simulator simulator = Compile(scene);
@@ -99,7 +99,7 @@ internal static class GroupTable
         return new Workload(() => Chain(group, balls, states, log), states.Length * Steps);
     }
 
-    /// <summary>Each start in turn, as the first ball of a group; a second one flies 40 m away.</summary>
+    /// <summary>Simulates each start in turn, as the first ball of a group; a second one flies 40 m away.</summary>
     private static double Chain(BallGroup group, BallState[] balls, BallState[] states, StepLog log)
     {
         double sum = 0;
@@ -136,7 +136,7 @@ internal static class GroupTable
         return new Scene { Bodies = players };
     }
 
-    /// <summary>A crate on the ground, which a ball that is in front of it pushes along.</summary>
+    /// <summary>Returns a scene with a crate on the ground, which a ball in front of it pushes along.</summary>
     private static Scene WithCrate() => new()
     {
         Obstacles = [new Obstacle { Name = "crate", Shape = new BoxShape(new Vector3d(0, 0.25, -0.36), new Vector3d(0.5, 0.24, 0.25)), Mass = 4 }],
@@ -151,7 +151,7 @@ internal static class GroupTable
     private static BallState[] Presses(Simulator simulator) =>
         [.. Enumerable.Range(0, 16).Select(i => simulator.Launch(new Vector3d(0.01 * i, 0.11, 0.1), new Vector3d(0, 0, -8 - (0.1 * i)), Vector3d.Zero))];
 
-    /// <summary>Balls in the net of a goal: each is kicked there with its own velocity, or goes on.</summary>
+    /// <summary>Simulates balls in the net of a goal: each is kicked there with its own velocity, or moves on.</summary>
     private static Workload Kicked(bool inGroup, bool kicks)
     {
         Simulator simulator = Compile(Pitch.Standard.On(new Scene()));
@@ -192,7 +192,7 @@ internal static class GroupTable
             states.Length * Steps);
     }
 
-    /// <summary>A shot at the goal, up to where its net has taken half of the speed.</summary>
+    /// <summary>Returns a shot at the goal at the moment when its net has absorbed half of the speed.</summary>
     private static BallState InNet(Simulator simulator, double aside)
     {
         BallState s = simulator.Launch(new Vector3d(aside, 1, -46), new Vector3d(0, 1, -20), Vector3d.Zero);

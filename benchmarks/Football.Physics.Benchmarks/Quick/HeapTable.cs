@@ -4,13 +4,13 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of "A heap": balls dropped into a box, stepped at 60 Hz until they lie there.</summary>
+/// <summary>The rows of "A heap": balls dropped into a box, stepped at 60 Hz until they lie still.</summary>
 internal static class HeapTable
 {
     private const double Radius = 0.11;
     private const double Frame = 1.0 / 60;
 
-    /// <summary>Eight seconds, or what is played within this time, s.</summary>
+    /// <summary>The number of frames, eight seconds, and the time limit of a run, s.</summary>
     private const int Frames = 480;
     private const double Longest = 60;
 
@@ -23,7 +23,7 @@ internal static class HeapTable
            select (string.Create(CultureInfo.InvariantCulture, $"{heap.Balls} balls in a box of {2 * heap.Half:0.0} m: {method.Name}"), heap.Balls, heap.Half, method.Integrator),
     ];
 
-    /// <summary>Plays and times the rows.</summary>
+    /// <summary>Simulates and times the rows.</summary>
     public static void Print(Action<string> print, IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> rows)
     {
         print("");
@@ -35,7 +35,7 @@ internal static class HeapTable
         print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
         foreach ((string name, int balls, double half, Integrator integrator) in rows)
         {
-            // Compiled before it counts.
+            // Compile the code before the measurement.
             Play(8, 0.3, integrator, 3);
             Heap heap = Play(balls, half, integrator, Longest);
             double mean = heap.Seconds / heap.Steps;
@@ -66,7 +66,7 @@ internal static class HeapTable
             heap.Most = Math.Max(heap.Most, log.Evaluations);
             heap.Events += log.Events.Count + log.Events.Dropped;
 
-            // A step that seems to be the worst is timed again: the machine may have done something else.
+            // Time a new worst step again: another program may have delayed it.
             if (took > heap.Worst)
             {
                 log.Clear();
@@ -91,7 +91,7 @@ internal static class HeapTable
         return Stopwatch.GetElapsedTime(began).TotalSeconds;
     }
 
-    /// <summary>Layers of balls, a little aside of one another.</summary>
+    /// <summary>Returns layers of balls, with small offsets.</summary>
     private static BallState[] Drop(BallGroup group, int balls, double half)
     {
         var random = new SeededRandom(60L);

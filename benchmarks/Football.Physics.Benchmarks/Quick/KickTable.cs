@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of "A kick": what a game gets by default, from foot to rest, and what the published profile gets.</summary>
+/// <summary>The rows of "A kick", from foot to rest: with the default scene and settings, and with the published profile.</summary>
 internal static class KickTable
 {
     public static IReadOnlyList<KickRow> Rows { get; } = [.. Of(Integrator.Rk2, "RK2"), .. Of(Integrator.Rk4, "RK4")];

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of the measured profile, each of the same flight by the published laws, or in still air.</summary>
+/// <summary>The rows of the measured profile, each compared with the same flight by the published laws, or in still air.</summary>
 internal static class MeasuredRows
 {
     private static readonly Scene s_byHeight = Scene.Measured with { Air = new Air { WindField = new WindByHeight(8, 1, 0.5) } };

@@ -13,12 +13,12 @@ internal static class NetTable
     private const double Ahead = 3;
     private const double Longest = 6;
 
-    /// <summary>How often a step is timed; the shortest counts.</summary>
+    /// <summary>The number of times that a step is timed; the shortest time counts.</summary>
     private const int Repeats = 5;
 
     public static IReadOnlyList<(string Name, Integrator Integrator)> Rows { get; } = [("RK2", Integrator.Rk2), ("RK4", Integrator.Rk4)];
 
-    /// <summary>Plays and times the rows.</summary>
+    /// <summary>Simulates and times the rows.</summary>
     public static void Print(Action<string> print, IReadOnlyList<(string Name, Integrator Integrator)> rows)
     {
         print("");
@@ -83,7 +83,7 @@ internal static class NetTable
         return least;
     }
 
-    /// <summary>The time of a step of a ball that lies on the roof net.</summary>
+    /// <summary>Returns the time of a step of a ball that lies on the roof net.</summary>
     private static double Lying(Simulator simulator)
     {
         var log = new StepLog();
@@ -132,7 +132,7 @@ internal static class NetTable
         return all / shots.Length;
     }
 
-    /// <summary>The mean error of the motion in the net: the same state when it is met, then both ways of stepping.</summary>
+    /// <summary>Returns the mean error of the motion in the net: both methods of stepping start from the same state at the first contact.</summary>
     private static double Error(Simulator simulator, BallState[] shots)
     {
         const double For = 0.3;

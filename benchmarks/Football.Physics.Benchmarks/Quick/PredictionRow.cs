@@ -1,33 +1,33 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A row of the table of predictors: requests, and the method that answers them.</summary>
+/// <summary>A row of the table of predictors: requests, and the method that solves them.</summary>
 internal sealed record PredictionRow(string Name, Func<ThesisAimer> Aimer, Func<AimRequest[]> Requests, AimMethod Method)
 {
-    /// <summary>Most plain RK2 steps an aim; none for rows that only inform.</summary>
+    /// <summary>The largest number of plain RK2 steps per aim; null if the row has no target.</summary>
     public double? Target { get; init; }
 
-    /// <summary>Most simulations an aim, on average.</summary>
+    /// <summary>The largest mean number of simulations per aim.</summary>
     public double? Simulations { get; init; }
 
-    /// <summary>Largest true miss, m.</summary>
+    /// <summary>The largest true miss, m.</summary>
     public double? Miss { get; init; }
 
-    /// <summary>Largest true miss at the point on the way, m.</summary>
+    /// <summary>The largest true miss at the waypoint, m.</summary>
     public double? ThroughMiss { get; init; }
 
-    /// <summary>Whether every request must be out of reach.</summary>
+    /// <summary>True if every request must be out of reach.</summary>
     public bool OutOfReach { get; init; }
 
-    /// <summary>What is asked; by default the kick by the method, without its miss measured.</summary>
+    /// <summary>The query; by default the kick by the method, without measuring its miss.</summary>
     public Func<ThesisAimer, AimRequest, AimResult>? Question { get; init; }
 
-    /// <summary>What the thesis measured.</summary>
+    /// <summary>The thesis' result.</summary>
     public string Thesis { get; init; } = "–";
 
-    /// <summary>The answer with its miss measured.</summary>
+    /// <summary>Returns the result with its measured miss.</summary>
     public AimResult Answer(ThesisAimer aimer, AimRequest request) => Question?.Invoke(aimer, request) ?? aimer.Find(request, Method);
 
-    /// <summary>The requests, answered in order.</summary>
+    /// <summary>Solves the requests in order.</summary>
     public Workload Subject()
     {
         ThesisAimer aimer = Aimer();

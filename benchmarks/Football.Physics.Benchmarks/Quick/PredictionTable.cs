@@ -3,7 +3,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of "Prediction", and how they are printed.</summary>
+/// <summary>The rows of "Prediction", and their output.</summary>
 internal static class PredictionTable
 {
     private const int Seed = 1;

@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of queries: derivatives by the launch, who gets to the ball.</summary>
+/// <summary>The rows of queries: derivatives by the launch, and interceptions.</summary>
 internal static class QueryRows
 {
     private const int Count = 32;
@@ -94,13 +94,13 @@ internal static class QueryRows
         return path;
     }
 
-    /// <summary>A look-ahead of 3 s.</summary>
+    /// <summary>Computes a look-ahead of 3 s.</summary>
     public static Workload LookAhead() => LookAhead(Scene.Default, Request.TimeStep);
 
-    /// <summary>All windows of 22 players on a look-ahead of 3 s.</summary>
+    /// <summary>Computes all windows of 22 players on a look-ahead of 3 s.</summary>
     public static Workload Windows() => Runners((path, query, runners) => query.Find(path, runners), Path());
 
-    /// <summary>The steps of a look-ahead, without its path.</summary>
+    /// <summary>Runs the steps of a look-ahead, without its path.</summary>
     private static Workload Steps(Scene scene, double h)
     {
         var simulator = new Simulator(scene);

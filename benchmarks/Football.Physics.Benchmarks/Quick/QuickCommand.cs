@@ -5,7 +5,7 @@ using System.Text;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
+/// <summary>`quick`: prints the tables of times in under a minute, while BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
     private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] (--costs FILE | --history FILE | --against FOLDER)";
@@ -210,7 +210,7 @@ internal static class QuickCommand
 
     private static Timing InChild(TargetRow row)
     {
-        // The name of the switch changed with .NET 10; the other is ignored.
+        // .NET 10 renamed the switch; each runtime ignores the other name.
         var environment = new Dictionary<string, string> { ["DOTNET_EnableAVX512"] = "0", ["DOTNET_EnableAVX512F"] = "0" };
         int index = TargetTable.Rows.TakeWhile(r => r != row).Count();
         double[] values = [.. Child.Run(environment, "quick", "--child", "target", index.ToString(CultureInfo.InvariantCulture))

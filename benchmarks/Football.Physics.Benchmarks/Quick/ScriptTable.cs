@@ -3,14 +3,14 @@ using System.Globalization;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of scripts: what another runtime, or a program compiled ahead of time, has to say.</summary>
+/// <summary>The rows from scripts: results of another runtime, or of a program compiled ahead of time.</summary>
 internal static class ScriptTable
 {
-    /// <summary>What the selection of rows knows them by.</summary>
+    /// <summary>The name of the Mono rows for the selection of rows.</summary>
     public const string MonoName = "Mono";
     public const string AheadOfTimeName = "Ahead of time";
 
-    /// <summary>The netstandard2.1 assembly on Mono, the runtime closest to Unity's; or why there is none.</summary>
+    /// <summary>Prints the times of the netstandard2.1 assembly on Mono, the runtime closest to Unity's; or the reason for their absence.</summary>
     public static void Mono(Action<string> print, double share)
     {
         print("");
@@ -21,7 +21,7 @@ internal static class ScriptTable
         Run(print, "mono.sh", share.ToString(CultureInfo.InvariantCulture));
     }
 
-    /// <summary>Sizes of NativeAOT programs.</summary>
+    /// <summary>Prints the sizes of NativeAOT programs.</summary>
     public static void AheadOfTime(Action<string> print)
     {
         print("");

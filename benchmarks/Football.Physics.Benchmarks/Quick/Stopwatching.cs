@@ -3,10 +3,10 @@ using System.Runtime;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>Times a subject against a yardstick in alternating rounds, so that a change of clock meets both.</summary>
+/// <summary>Times a subject against a yardstick in alternating rounds, so that a change of clock affects both.</summary>
 internal static class Stopwatching
 {
-    /// <summary>Rounds that a median is taken over, at least.</summary>
+    /// <summary>The least number of rounds for a median.</summary>
     public const int LeastRounds = 15;
 
     private const int MostRounds = 2000;
@@ -15,11 +15,10 @@ internal static class Stopwatching
     private const int MostPasses = 16;
     private static double _sink;
 
-    /// <summary>Calls everything often enough that the runtime compiles it for good, with pauses in which it does so.</summary>
+    /// <summary>Calls all workloads often enough for the runtime to compile the final code, with pauses for the compilation.</summary>
     public static void WarmUp(IReadOnlyCollection<Workload> workloads)
     {
-        // Tier 0, counted calls, tier 1: each begins after a time in which nothing new is compiled, 100 ms, ten times that on one core.
-        // Done when two passes in a row leave nothing more to compile.
+        // Tier 0, counted calls, tier 1: each begins after a pause without new compilations, 100 ms, or ten times that on one core. Done when two passes in a row leave nothing to compile.
         bool slow = Environment.ProcessorCount == 1 && Environment.GetEnvironmentVariable(Child.DelayOnOneCore) != "1";
         int pause = slow ? 1100 : 150;
         int quiet = 0;
@@ -39,7 +38,7 @@ internal static class Stopwatching
         }
     }
 
-    /// <summary>Times for about a given time, but never fewer than the least rounds.</summary>
+    /// <summary>Measures for about the given time, but at least the least number of rounds.</summary>
     public static Timing Measure(Workload subject, Workload yardstick, double seconds)
     {
         var ours = new List<double>();
@@ -61,7 +60,7 @@ internal static class Stopwatching
         return new Timing(Median(ours), Median(theirs), Median(ratios), (double)allocated / subject.Operations);
     }
 
-    /// <summary>The middle value.</summary>
+    /// <summary>Returns the median.</summary>
     public static double Median(List<double> values)
     {
         values.Sort();

@@ -1,20 +1,20 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A row of the table of times: what, against what, and what is to be reached.</summary>
+/// <summary>A row of the table of times: subject, yardstick and target.</summary>
 internal sealed record TargetRow(string Name, Func<Workload> Subject, Func<Workload> Yardstick)
 {
-    /// <summary>The ratio to reach; none for rows that only inform.</summary>
+    /// <summary>The ratio to reach; null if the row has no target.</summary>
     public double? Target { get; init; }
 
-    /// <summary>What the thesis measured.</summary>
+    /// <summary>The thesis' result.</summary>
     public string Thesis { get; init; } = "–";
 
-    /// <summary>Mean error, m; none where there is nothing to compare with.</summary>
+    /// <summary>Computes the mean error, m; null if there is no reference.</summary>
     public Func<double>? Error { get; init; }
 
-    /// <summary>What else there is to say of the error; none where the mean says it.</summary>
+    /// <summary>Returns a note on the error; null if the mean is sufficient.</summary>
     public Func<string>? Note { get; init; }
 
-    /// <summary>Whether it is timed in a process of its own, with 512-bit registers switched off.</summary>
+    /// <summary>True if it is timed in a process of its own, with 512-bit registers switched off.</summary>
     public bool Without512Bit { get; init; }
 }

@@ -69,7 +69,7 @@ internal static class TargetTable
             Error = () => Errors.Landing(integrator, PlainLawKind.Published, H, shots),
         };
 
-    /// <summary>In the scene that everybody has, and in the published one.</summary>
+    /// <summary>Returns the rows in the default scene, and in the published one.</summary>
     private static IEnumerable<TargetRow> LookAhead(string name, Integrator integrator, double h, double? target = null) =>
         Scenes().Select(of => new TargetRow($"3 s look-ahead, {of.Name}, {name}, in plain RK2 steps", () => Workloads.LookAhead(of.Scene, integrator, h), PlainRk2)
         {

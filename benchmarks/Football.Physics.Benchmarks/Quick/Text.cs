@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>Numbers as the tables show them.</summary>
+/// <summary>Formats numbers for the tables.</summary>
 internal static class Text
 {
-    /// <summary>Three significant digits.</summary>
+    /// <summary>Returns three significant digits.</summary>
     public static string Number(double value) => value switch
     {
         0 => "0",
@@ -16,7 +16,7 @@ internal static class Text
         _ => value.ToString("G2", CultureInfo.InvariantCulture),
     };
 
-    /// <summary>A length with its unit.</summary>
+    /// <summary>Returns a length with its unit.</summary>
     public static string Length(double metres) => metres switch
     {
         >= 1 => $"{Number(metres)} m",

@@ -1,4 +1,4 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>Something to time: a call and how many operations it does.</summary>
+/// <summary>A timed call and its number of operations.</summary>
 internal sealed record Workload(Func<double> Run, int Operations);

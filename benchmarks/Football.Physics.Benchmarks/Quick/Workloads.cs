@@ -8,14 +8,14 @@ internal static class Workloads
     private const double H = ShotSets.TimeStep;
     private const int Steps = ShotSets.Steps;
 
-    /// <summary>Shots a call: few, so that a round is shorter than a time slice and seldom interrupted. The next call takes the next ones.</summary>
+    /// <summary>The number of shots per call: few, so that a round is shorter than a time slice and seldom interrupted. The next call takes the next shots.</summary>
     private const int Part = ShotSets.Count / 4;
 
-    /// <summary>Flights high up by the library, in a dependent chain of steps.</summary>
+    /// <summary>Simulates flights high up by the library, in a dependent chain of steps.</summary>
     public static Workload Flight(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots) =>
         Chain(scene, integrator, Shots.HighUp(shots));
 
-    /// <summary>A dependent chain of steps by the library, from where the shots are.</summary>
+    /// <summary>Runs a dependent chain of steps by the library, from the positions of the shots.</summary>
     public static Workload Chain(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         Simulator simulator = Compile(scene, integrator);
@@ -49,7 +49,7 @@ internal static class Workloads
         return OfParts(part => Batches.Chain(simulator, states.AsSpan(part, Part), Steps, H, log), Part * Steps);
     }
 
-    /// <summary>Steps with one impact inside each.</summary>
+    /// <summary>Runs steps with one impact inside each.</summary>
     public static Workload Impacts(Scene scene, Integrator integrator)
     {
         Simulator simulator = Compile(scene, integrator);
@@ -58,7 +58,7 @@ internal static class Workloads
         return OfParts(part => Batches.OneStepEach(simulator, states.AsSpan(part, Part), H, log), Part);
     }
 
-    /// <summary>Look-aheads of three seconds from the ground, bounces and all.</summary>
+    /// <summary>Computes look-aheads of three seconds from the ground, including bounces.</summary>
     public static Workload LookAhead(Scene scene, Integrator integrator, double h)
     {
         Simulator simulator = Compile(scene, integrator);
@@ -103,7 +103,7 @@ internal static class Workloads
         return OfParts(part => Batches.Chain(engine, states.AsSpan(part, Part), Steps, 1.0 / RigidBodyEngine.FrameRate), Part * Steps);
     }
 
-    /// <summary>A kick from foot to rest at 60 Hz.</summary>
+    /// <summary>Simulates a kick from foot to rest at 60 Hz.</summary>
     public static Workload Kick(Scene scene, Integrator integrator)
     {
         Simulator simulator = Compile(scene, integrator);

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "The ball among things".</summary>
-/// <param name="Name">What there is.</param>
+/// <param name="Name">The objects in the scene.</param>
 /// <param name="Target">The ratio to reach in the default scene.</param>
 /// <param name="Subject">Makes the workload.</param>
-/// <param name="From">Where the shots begin, m.</param>
+/// <param name="From">The start of the shots, m.</param>
 internal sealed record WorldRow(string Name, double? Target, Func<StadiumScenes, Workload> Subject, Vector3d From);

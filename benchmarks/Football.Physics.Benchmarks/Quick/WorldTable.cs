@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The rows of "The ball among things": RK2 at 10 ms, flights that hit nothing, beside the same flights over an empty pitch.</summary>
+/// <summary>The rows of "The ball among things": RK2 at 10 ms, flights that hit nothing, compared with the same flights over an empty pitch.</summary>
 internal static class WorldTable
 {
     private const int Steps = 60;
@@ -49,7 +49,7 @@ internal static class WorldTable
         }
     }
 
-    /// <summary>Flights from before the goal, with the default integrator.</summary>
+    /// <summary>Simulates flights from before the goal, with the default integrator.</summary>
     public static Workload BeforeTheGoal(Scene scene) => Flights(scene, s_nearGoal, SolverSettings.Default.Integrator);
 
     private static Workload Flights(Scene scene, in Vector3d from, Integrator integrator = Integrator.Rk2)
@@ -60,7 +60,7 @@ internal static class WorldTable
         return new Workload(() => Batches.Chain(simulator, states, Steps, H, log), states.Length * Steps);
     }
 
-    /// <summary>The same with every body put where it is before every step: the time is that of both.</summary>
+    /// <summary>Simulates the flights and moves every body before every step: the time includes both.</summary>
     private static Workload MovedFlights(StadiumScenes scenes)
     {
         var simulator = new Simulator(scenes.WithBodies(out KinematicBodies players), new SolverSettings { Integrator = Integrator.Rk2 });
@@ -69,7 +69,7 @@ internal static class WorldTable
         return new Workload(() => Batches.ChainAmong(simulator, players, states, Steps, H, log), states.Length * Steps);
     }
 
-    /// <summary>Fast shots that meet nothing in any of the scenes.</summary>
+    /// <summary>Returns fast shots that hit nothing in any of the scenes.</summary>
     private static IReadOnlyList<Shot> Free(Vector3d from)
     {
         Simulator[] all =

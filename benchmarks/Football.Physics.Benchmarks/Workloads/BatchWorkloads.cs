@@ -9,7 +9,7 @@ internal static class BatchWorkloads
     private const int Aims = 2048;
     private const int AimsOfTwo = 16_384;
 
-    /// <summary>Flights of 1.2 s high up, in steps of 10 ms, on one thread.</summary>
+    /// <summary>Simulates flights of 1.2 s high up, in steps of 10 ms, on one thread.</summary>
     public static Workload Flight(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots, int lanes)
     {
         var batch = new BallBatch(scene, Settings(integrator), lanes);
@@ -31,7 +31,7 @@ internal static class BatchWorkloads
             Balls * ShotSets.Steps);
     }
 
-    /// <summary>Kicks for targets 15 to 25 m away at 20 to 30 m/s with spin, to a millimetre, on one thread.</summary>
+    /// <summary>Finds kicks for targets 15 to 25 m away at 20 to 30 m/s with spin, to a millimetre, on one thread.</summary>
     public static Workload Aim(Scene scene, int lanes)
     {
         BatchAims aims = MakeAims(Aims);
@@ -46,7 +46,7 @@ internal static class BatchWorkloads
             Aims);
     }
 
-    /// <summary>The same on two threads, by aim and core.</summary>
+    /// <summary>Finds these kicks on two threads, per aim and core.</summary>
     public static Workload AimOnTwoCores(Scene scene, int lanes)
     {
         BatchAims aims = MakeAims(AimsOfTwo);
@@ -61,7 +61,7 @@ internal static class BatchWorkloads
             AimsOfTwo / 2);
     }
 
-    /// <summary>Greatest distance of the first landings from the single ball's, in double with the same steps.</summary>
+    /// <summary>Returns the greatest distance of the first landings from the single ball's, in double precision with the same steps.</summary>
     public static double FromSingleBall(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         BatchFlights flights = Land(scene, Settings(integrator), shots);
@@ -69,7 +69,7 @@ internal static class BatchWorkloads
         return Enumerable.Range(0, shots.Count).Max(i => Vector3d.Distance(flights.Position[i], single.Position[i]));
     }
 
-    /// <summary>Mean distance of the first landings from RK4 at 0.5 ms.</summary>
+    /// <summary>Returns the mean distance of the first landings from RK4 at 0.5 ms.</summary>
     public static double LandingError(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         BatchFlights flights = Land(scene, Settings(integrator), shots);
@@ -77,7 +77,7 @@ internal static class BatchWorkloads
         return Enumerable.Range(0, shots.Count).Average(i => Vector3d.Distance(flights.Position[i], reference.Position[i]));
     }
 
-    /// <summary>True misses of the kicks that were found.</summary>
+    /// <summary>Returns the true misses of the kicks that were found.</summary>
     public static (double Mean, double Worst) Misses(Scene scene)
     {
         BatchAims aims = MakeAims(Aims);

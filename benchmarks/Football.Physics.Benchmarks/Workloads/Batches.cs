@@ -3,10 +3,10 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The loops that are timed. Each returns something that depends on every step, so that none can be left out.</summary>
+/// <summary>The timed loops. Each returns a value that depends on every step, so that the compiler cannot remove any.</summary>
 internal static class Batches
 {
-    /// <summary>Shot after shot, each step waiting for the one before.</summary>
+    /// <summary>Simulates one shot after another; each step depends on the one before.</summary>
     public static double Chain(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
@@ -24,7 +24,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>The same among bodies that are put where they go before every step.</summary>
+    /// <summary>Simulates the chain among bodies that are moved before every step.</summary>
     public static double ChainAmong(Simulator simulator, KinematicBodies bodies, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
@@ -54,7 +54,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>The same, reading the orientation after every step as a game does that draws the ball.</summary>
+    /// <summary>Simulates the chain and reads the orientation after every step, like a game that draws the ball.</summary>
     public static double ChainWithOrientation(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
@@ -73,7 +73,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>All shots one step, then the next: neighbouring steps are independent.</summary>
+    /// <summary>Steps all shots once, then again: neighbouring steps are independent.</summary>
     public static double Interleaved(Simulator simulator, ReadOnlySpan<BallState> shots, Span<BallState> scratch, int steps, double h, StepLog log)
     {
         shots.CopyTo(scratch);
@@ -88,7 +88,7 @@ internal static class Batches
         return scratch[^1].Position.X;
     }
 
-    /// <summary>One step of every shot, with whatever happens in it.</summary>
+    /// <summary>Runs one step of every shot, including all its events.</summary>
     public static double OneStepEach(Simulator simulator, ReadOnlySpan<BallState> shots, double h, StepLog log)
     {
         double sum = 0;
@@ -103,7 +103,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>A kick at 60 Hz until it rests.</summary>
+    /// <summary>Simulates a kick at 60 Hz until it rests.</summary>
     public static double ToRest(Simulator simulator, in BallState kick, StepLog log, out int steps)
     {
         BallState s = kick;
@@ -118,7 +118,7 @@ internal static class Batches
         return s.Position.X;
     }
 
-    /// <summary>Where every shot is after a time, events and all.</summary>
+    /// <summary>Computes the positions of all shots after a time, including all events.</summary>
     public static double LookAhead(Simulator simulator, ReadOnlySpan<BallState> shots, double h, double duration, StepLog log)
     {
         double sum = 0;
@@ -133,7 +133,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>Shot after shot by the plain yardstick.</summary>
+    /// <summary>Simulates one shot after another by the plain yardstick.</summary>
     public static double Chain(PlainFlight flight, ReadOnlySpan<PlainState> shots, int steps, double h)
     {
         double sum = 0;
@@ -151,7 +151,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>All shots one step, then the next, by the plain yardstick.</summary>
+    /// <summary>Steps all shots once, then again, by the plain yardstick.</summary>
     public static double Interleaved(PlainFlight flight, ReadOnlySpan<PlainState> shots, Span<PlainState> scratch, int steps, double h)
     {
         shots.CopyTo(scratch);
@@ -166,7 +166,7 @@ internal static class Batches
         return scratch[^1].Position.X;
     }
 
-    /// <summary>Shot after shot the thesis' way.</summary>
+    /// <summary>Simulates one shot after another by the thesis' method.</summary>
     public static double Chain(ThesisBall ball, ReadOnlySpan<Shot> shots, int steps, float h)
     {
         double sum = 0;
@@ -184,7 +184,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>Shot after shot by MathNet.Numerics.</summary>
+    /// <summary>Simulates one shot after another by MathNet.Numerics.</summary>
     public static double Chain(MathNetFlight flight, ReadOnlySpan<Vector<double>> shots, int steps, double h)
     {
         double sum = 0;
@@ -196,7 +196,7 @@ internal static class Batches
         return sum;
     }
 
-    /// <summary>Shot after shot by the general rigid-body engine.</summary>
+    /// <summary>Simulates one shot after another by the general rigid-body engine.</summary>
     public static double Chain(RigidBodyEngine engine, ReadOnlySpan<PlainState> shots, int steps, double h)
     {
         double sum = 0;

@@ -9,16 +9,16 @@ internal sealed class ContactCase
 {
     private const double Radius = 0.11;
 
-    /// <summary>Steps of a call: few, so that the motion stays what the name says.</summary>
+    /// <summary>The number of steps per call: few, so that the motion still matches its name.</summary>
     private const int Steps = 24;
 
-    /// <summary>How often a step is timed from one state; the shortest counts.</summary>
+    /// <summary>The number of times that a step is timed from one state; the shortest time counts.</summary>
     private const int Repeats = 7;
 
-    /// <summary>How often a step is taken for one reading of the clock, which may be coarse.</summary>
+    /// <summary>The number of steps per reading of the clock, which may be coarse.</summary>
     private const int Readings = 16;
 
-    /// <summary>How long a ball may take to come to rest, s.</summary>
+    /// <summary>The longest time for a ball to come to rest, s.</summary>
     private const double Longest = 30;
 
     private readonly Simulator _simulator;
@@ -47,7 +47,7 @@ internal sealed class ContactCase
         IsAtRest = state.Motion == MotionState.Rest;
     }
 
-    /// <summary>The cases by name, each made for a method, moving or at rest.</summary>
+    /// <summary>The cases by name; each is made for a method, and moving or at rest.</summary>
     public static IReadOnlyList<(string Name, Func<Integrator, bool, ContactCase> Make)> All { get; } =
     [
         ("wind presses it along a board", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0))], new Vector3d(0, 0, -6))),
@@ -59,13 +59,13 @@ internal sealed class ContactCase
         ("kicked in the net of a goal", InNet),
     ];
 
-    /// <summary>True if the ball rests where the steps begin.</summary>
+    /// <summary>True if the ball is at rest when the steps begin.</summary>
     public bool IsAtRest { get; }
 
-    /// <summary>The steps to be timed.</summary>
+    /// <summary>The timed steps.</summary>
     public Workload Workload => new(Run, Steps);
 
-    /// <summary>Right-hand sides evaluated, a step: the mean, and the most.</summary>
+    /// <summary>Returns the evaluations of the right-hand side per step: the mean, and the maximum.</summary>
     public (double Mean, long Most) Evaluations()
     {
         BallState state = Begin();
@@ -82,7 +82,7 @@ internal sealed class ContactCase
         return ((double)all / Steps, most);
     }
 
-    /// <summary>The longest step, ns: the shortest of several times from its state.</summary>
+    /// <summary>Returns the time of the longest step, ns: the shortest of several measurements from its state.</summary>
     public double Worst()
     {
         double worst = 0;
@@ -122,7 +122,7 @@ internal sealed class ContactCase
 
     private static ContactCase Pressed(Integrator integrator, bool atRest, Obstacle[] boards, in Vector3d velocity)
     {
-        // Drawn so that the wind holds the ball, and does not keep it going along a board.
+        // The wind holds the ball, and does not drive it along a board.
         Scene scene = InWind(new Vector3d(6, 0, boards.Length > 1 ? -5 : 0)) with { Obstacles = boards };
         Vector3d spin = velocity == default ? new Vector3d(0, 60, 0) : Vector3d.Cross(Vector3d.Up, velocity) / Radius;
         return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), velocity, spin, atRest);
@@ -134,13 +134,13 @@ internal sealed class ContactCase
         KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), SurfaceMaterial.Boot, mass);
         Scene scene = InWind(new Vector3d(3, 0, 0)) with { Obstacles = [Board(new Vector3d(-1, 0, 0))], Bodies = bodies };
 
-        // The upright side of the capsule is higher than the ball's centre, so its round end touches: as far away as both radii are from there.
+        // The upright side of the capsule is higher than the ball's centre, so its round end touches: at a distance of both radii.
         double lower = 0.25 - Radius;
         player.MoveTo(new Vector3d(-Math.Sqrt(((Radius + 0.25) * (Radius + 0.25)) - (lower * lower)), 0, 0), default, 0);
         return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), default, new Vector3d(0, 60, 0), atRest);
     }
 
-    /// <summary>A shot is kicked back to the pitch where the net bulges most.</summary>
+    /// <summary>Kicks a shot back to the pitch when the net bulges most.</summary>
     private static ContactCase InNet(Integrator integrator, bool atRest)
     {
         var scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1) }] };
@@ -160,7 +160,7 @@ internal sealed class ContactCase
 
     private static ContactCase Gutter(Integrator integrator, bool atRest)
     {
-        // At rest in a gutter so level that rolling friction holds the ball.
+        // A ball at rest needs a gutter so level that rolling friction holds it.
         double tilt = (atRest ? 1 : 8) * Math.PI / 180;
         const double Side = 35 * Math.PI / 180;
         var up = new Vector3d(0, Math.Cos(tilt), -Math.Sin(tilt));

@@ -4,7 +4,7 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>What stands beside a time: the mean error of the same method at the same step, m, against RK4 at 0.5 ms with every event located.</summary>
+/// <summary>The errors next to the times: the mean error of the same method at the same step, m, against RK4 at 0.5 ms with every event located.</summary>
 internal static class Errors
 {
     private const double ReferenceStep = 0.5e-3;
@@ -13,53 +13,53 @@ internal static class Errors
     private static readonly double Contact = BallProperties.Tunnel.Radius;
     private static readonly ConcurrentDictionary<(object Shots, Scene Scene, double? After), Vector3d[]> References = new();
 
-    /// <summary>First landings of shots from the ground, by the library.</summary>
+    /// <summary>Returns the error of the first landings of shots from the ground, by the library.</summary>
     public static double Landing(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
     {
         var simulator = new Simulator(PlainFlight.SceneOf(law), new SolverSettings { Integrator = integrator });
         return Mean(Reference(shots, law, after: null), shots.Select(shot => Land(simulator, shot, h)));
     }
 
-    /// <summary>First landings by the plain yardstick, its impact found by bisection of the step to the last bit.</summary>
+    /// <summary>Returns the error of the first landings by the plain yardstick, with the impact found by bisection of the step to the last bit.</summary>
     public static double PlainLanding(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
     {
         var flight = PlainFlight.Create(law, integrator);
         return Mean(Reference(shots, law, after: null), shots.Select(shot => Land(flight, shot, h)));
     }
 
-    /// <summary>First landings the thesis' way, its impact searched to 1 µs.</summary>
+    /// <summary>Returns the error of the first landings by the thesis' method, with the impact searched to 1 µs.</summary>
     public static double ThesisLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
     {
         var ball = new ThesisBall(integrator);
         return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(ball, shot, h)));
     }
 
-    /// <summary>First landings by MathNet.Numerics, the impact found by bisection.</summary>
+    /// <summary>Returns the error of the first landings by MathNet.Numerics, with the impact found by bisection.</summary>
     public static double MathNetLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
     {
         var flight = new MathNetFlight(integrator);
         return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(flight, shot, h)));
     }
 
-    /// <summary>First landings by the general rigid-body engine, at the frame's end.</summary>
+    /// <summary>Returns the error of the first landings by the general rigid-body engine, at the frame's end.</summary>
     public static double EngineLanding(double h, IReadOnlyList<Shot> shots)
     {
         var engine = new RigidBodyEngine();
         return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(engine, shot, h)));
     }
 
-    /// <summary>Positions of shots from the ground at the end of a look-ahead, by the library.</summary>
+    /// <summary>Returns the error of positions of shots from the ground at the end of a look-ahead, by the library.</summary>
     public static double LookAhead(Scene scene, Integrator integrator, double h, IReadOnlyList<Shot> shots) =>
         After(scene, new SolverSettings { Integrator = integrator }, h, ShotSets.LookAhead, shots);
 
-    /// <summary>Positions of shots after a time, s, by the library.</summary>
+    /// <summary>Returns the error of positions of shots after a time, s, by the library.</summary>
     public static double After(Scene scene, SolverSettings settings, double h, double time, IReadOnlyList<Shot> shots)
     {
         var simulator = new Simulator(scene, settings);
         return Mean(Reference(shots, scene, time), shots.Select(shot => Ahead(simulator, shot, h, time)));
     }
 
-    /// <summary>Positions of shots after one step the thesis' way.</summary>
+    /// <summary>Returns the error of positions of shots after one step by the thesis' method.</summary>
     public static double ThesisStep(Integrator integrator, double h, IReadOnlyList<Shot> shots)
     {
         var ball = new ThesisBall(integrator);

@@ -2,10 +2,10 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>The shot sets as each competitor takes them.</summary>
+/// <summary>The shot sets in the form that each yardstick needs.</summary>
 internal static class Shots
 {
-    /// <summary>The same shots, so high up that they do not come down.</summary>
+    /// <summary>Returns the same shots, so high up that they do not come down.</summary>
     public static IReadOnlyList<Shot> HighUp(IReadOnlyList<Shot> shots) => [.. shots.Select(shot => shot.From(ShotSets.HighUp))];
 
     public static BallState[] Launch(Simulator simulator, IReadOnlyList<Shot> shots) =>
@@ -13,7 +13,7 @@ internal static class Shots
 
     public static PlainState[] Plain(IReadOnlyList<Shot> shots) => [.. shots.Select(PlainState.Of)];
 
-    /// <summary>A free kick from the ground: 27 m/s, 17° up, backspin of 20 rad/s and 45 rad/s about the vertical.</summary>
+    /// <summary>Returns a free kick from the ground: 27 m/s, 17° up, backspin of 20 rad/s and 45 rad/s about the vertical.</summary>
     public static BallState FreeKick(Simulator simulator)
     {
         var direction = new Vector3d(-0.1, Math.Tan(17 * Math.PI / 180), -1);
@@ -21,7 +21,7 @@ internal static class Shots
         return simulator.Launch(Shot.Spot, velocity, KickVectors.Spin(velocity, -20, 45));
     }
 
-    /// <summary>Balls that have come to rest.</summary>
+    /// <summary>Returns balls that have come to rest.</summary>
     public static BallState[] Stopped(Simulator simulator)
     {
         BallState[] shots = Launch(simulator, ShotSets.Mixed);

@@ -1,21 +1,21 @@
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>
+/// <summary>A stadium with all objects of a match: two goals with nets, boards, twenty-two players.</summary>
 /// <param name="scene">Its air and ground.</param>
 internal sealed class StadiumScenes(Scene scene)
 {
     private const int Team = 11;
 
-    /// <summary>Goals, nets and boards alone.</summary>
+    /// <summary>Only goals, nets and boards.</summary>
     public Scene WithoutPlayers { get; } = Pitch.Stadium.On(scene);
 
-    /// <summary>Players who stand.</summary>
+    /// <summary>The stadium with standing players.</summary>
     public Scene WithStandingPlayers => With(i => default);
 
-    /// <summary>Players who run, at a constant velocity each.</summary>
+    /// <summary>The stadium with running players, each at a constant velocity.</summary>
     public Scene WithRunningPlayers => With(i => new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)));
 
-    /// <summary>Players whom the game moves.</summary>
+    /// <summary>Returns the stadium with players that the game moves.</summary>
     public Scene WithBodies(out KinematicBodies players)
     {
         players = new KinematicBodies();
@@ -27,7 +27,7 @@ internal sealed class StadiumScenes(Scene scene)
         return WithoutPlayers with { Bodies = players };
     }
 
-    /// <summary>Where a player stands: ten in lines across each half, one in goal.</summary>
+    /// <summary>Returns the position of a player: ten in lines across each half, one in goal.</summary>
     public static Vector3d Place(int player)
     {
         int of = player % Team;
