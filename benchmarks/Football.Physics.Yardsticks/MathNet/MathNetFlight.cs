@@ -25,7 +25,7 @@ public sealed class MathNetFlight
         _rates = Rates;
     }
 
-    /// <summary>The state that the solver advances.</summary>
+    /// <summary>Returns the state that the solver advances.</summary>
     public static Vector<double> StateOf(Shot shot) => Vector<double>.Build.DenseOfArray(
     [
         shot.Position.X, shot.Position.Y, shot.Position.Z,

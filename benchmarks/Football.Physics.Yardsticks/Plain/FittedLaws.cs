@@ -1,24 +1,24 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The fitted laws of drag, lift and spin decay, written down plainly from the equations: for every yardstick, and for the tests.</summary>
+/// <summary>The fitted laws of drag, lift and spin decay, implemented literally from the equations: for every yardstick, and for the tests.</summary>
 public static class FittedLaws
 {
     /// <summary>Drag coefficient of a fast ball without spin.</summary>
     public const double FastDrag = 0.155;
 
-    /// <summary>By how much that of a slow one is greater.</summary>
+    /// <summary>The excess of the drag coefficient of a slow ball.</summary>
     public const double DragDrop = 0.346;
 
-    /// <summary>Speed of the drop, m/s; the law with spin holds above it.</summary>
+    /// <summary>The speed of the drop, m/s; the law with spin holds above it.</summary>
     public const double CriticalSpeed = 12.19;
 
-    /// <summary>How wide the drop is, m/s.</summary>
+    /// <summary>The width of the drop, m/s.</summary>
     public const double SpeedScale = 1.309;
 
-    /// <summary>Spin parameter above which the law with spin holds.</summary>
+    /// <summary>The spin parameter above which the law with spin holds.</summary>
     public const double CriticalSpin = 0.05;
 
-    /// <summary>Widths of the regularised law's crossing, m/s and in the spin parameter.</summary>
+    /// <summary>The widths of the regularised law's transition, in m/s and in the spin parameter.</summary>
     public const double RegularisedSpeed = 0.25, RegularisedSpin = 0.0025;
 
     /// <summary>C_D = k Sp^n of the law with spin.</summary>
@@ -27,7 +27,7 @@ public static class FittedLaws
     /// <summary>C_L = k Sp^n (…) of the Magnus force.</summary>
     public const double LiftFactor = 1.15, LiftPower = 0.83;
 
-    /// <summary>C = k Re^n of the plates that the spin decay is made of.</summary>
+    /// <summary>C = k Re^n of the plates that model the spin decay.</summary>
     public const double PlateFactor = 0.0074, PlatePower = -0.2;
 
     /// <summary>Drag coefficient at rest.</summary>
@@ -39,10 +39,10 @@ public static class FittedLaws
     /// <summary>C_D = 0.4127 Sp^0.3056.</summary>
     public static double WithSpin(double sp) => SpinFactor * Math.Pow(sp, SpinPower);
 
-    /// <summary>The drag coefficient with its jump.</summary>
+    /// <summary>Returns the drag coefficient with its jump.</summary>
     public static double Published(double speed, double sp) => speed > CriticalSpeed && sp > CriticalSpin ? WithSpin(sp) : WithoutSpin(speed);
 
-    /// <summary>The drag coefficient with the jump drawn out.</summary>
+    /// <summary>Returns the drag coefficient with the jump smoothed.</summary>
     public static double Regularised(double speed, double sp)
     {
         double w = Logistic((speed - CriticalSpeed) / RegularisedSpeed) * Logistic((sp - CriticalSpin) / RegularisedSpin);

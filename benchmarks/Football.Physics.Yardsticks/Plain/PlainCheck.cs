@@ -1,10 +1,10 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>Holds the plain yardstick against the library: a yardstick for another motion would measure nothing.</summary>
+/// <summary>Checks the plain yardstick against the library: a yardstick for another motion would measure nothing.</summary>
 public static class PlainCheck
 {
-    /// <summary>The largest difference in position (m) after a flight of a shot, over a set.</summary>
-    /// <param name="law">The law; the published one agrees only on shots that do not cross its jump, and all where no spin decays to zero.</param>
+    /// <summary>Returns the largest difference in position (m) after a flight of a shot, over a set.</summary>
+    /// <param name="law">The law. The published law agrees only on shots that do not cross its jump. All laws agree only if no spin decays to zero.</param>
     /// <param name="integrator">The method.</param>
     /// <param name="shots">The shots, which are launched high up.</param>
     /// <param name="h">Step, s.</param>

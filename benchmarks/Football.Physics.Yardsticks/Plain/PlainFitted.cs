@@ -1,6 +1,6 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>All forces by the fitted laws, with Math.Pow and Math.Exp; |u|, |ω|, Sp and C_D once an evaluation.</summary>
+/// <summary>All forces by the fitted laws, with Math.Pow and Math.Exp; it computes |u|, |ω|, Sp and C_D once per evaluation.</summary>
 public readonly struct PlainFitted : IPlainLaw
 {
     private readonly double _radius;

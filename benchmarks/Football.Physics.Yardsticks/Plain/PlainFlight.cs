@@ -1,9 +1,9 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The yardstick: a flight step in straightforward double C#, as a good programmer writes it on the first day.</summary>
+/// <summary>The plain yardstick: a flight step in straightforward double-precision C#, as a good programmer writes it on the first day.</summary>
 public abstract class PlainFlight
 {
-    /// <summary>A ball's flight in a scene's air.</summary>
+    /// <summary>Creates the flight of a ball in a scene's air.</summary>
     public static PlainFlight Create(PlainLawKind law, Integrator integrator, Scene? scene = null)
     {
         scene ??= SceneOf(law);
@@ -16,7 +16,7 @@ public abstract class PlainFlight
         };
     }
 
-    /// <summary>The library's scene with the same law.</summary>
+    /// <summary>Returns the library's scene with the same law.</summary>
     public static Scene SceneOf(PlainLawKind law) => law switch
     {
         PlainLawKind.Published => Scene.Published,
@@ -29,7 +29,7 @@ public abstract class PlainFlight
     public abstract void Step(ref PlainState state, double h);
 }
 
-/// <summary>The same with its law compiled in.</summary>
+/// <summary>A plain flight with its law compiled in.</summary>
 public sealed class PlainFlight<TLaw>(TLaw law, Integrator integrator, PlainVector wind) : PlainFlight
     where TLaw : struct, IPlainLaw
 {

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The laws that the plain yardstick is written for.</summary>
+/// <summary>The laws of the plain yardstick.</summary>
 public enum PlainLawKind
 {
     Published = 0,

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>Gravity alone.</summary>
+/// <summary>Gravity only.</summary>
 public readonly struct PlainVacuum(double gravity) : IPlainLaw
 {
     public void Rates(in PlainVector u, in PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The vector that everybody writes: three doubles and operators.</summary>
+/// <summary>An ordinary vector: three doubles and operators.</summary>
 public readonly struct PlainVector(double x, double y, double z)
 {
     public double X { get; } = x;

@@ -3,7 +3,7 @@ namespace FootballPhysics.Yardsticks;
 /// <summary>A ball as a general rigid-body engine treats it: symplectic Euler, damping for air, restitution at the frame's end.</summary>
 public sealed class RigidBodyEngine
 {
-    /// <summary>Frame rate of the engines' default, Hz.</summary>
+    /// <summary>The default frame rate of such engines, Hz.</summary>
     public const double FrameRate = 60;
 
     private readonly double _radius = BallProperties.Tunnel.Radius;
@@ -12,7 +12,7 @@ public sealed class RigidBodyEngine
     /// <summary>Gravity, m/s².</summary>
     public double Gravity { get; init; } = 9.81;
 
-    /// <summary>Linear damping, 1/s: all that stands for drag.</summary>
+    /// <summary>Linear damping, 1/s: the only substitute for drag.</summary>
     public double LinearDamping { get; init; } = 0.1;
 
     /// <summary>Angular damping, 1/s.</summary>
@@ -35,7 +35,7 @@ public sealed class RigidBodyEngine
         PlainVector p = s.Position + (h * v);
         if (p.Y < _radius)
         {
-            // Found at the frame's end, answered there: pushed out, bounced, and a friction impulse bounded by Coulomb's law.
+            // The contact is found and resolved at the frame's end: push out, bounce, and a friction impulse bounded by Coulomb's law.
             p = new PlainVector(p.X, _radius, p.Z);
             if (v.Y < 0)
             {

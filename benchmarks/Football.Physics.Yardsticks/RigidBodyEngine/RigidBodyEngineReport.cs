@@ -1,12 +1,12 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>What the general engine's way gets wrong about a football.</summary>
-/// <param name="Rebounds">Restitution that comes out of a drop, at several steps.</param>
+/// <summary>The errors of the general engine's method for a football.</summary>
+/// <param name="Rebounds">The measured restitution of drops, at several steps.</param>
 /// <param name="Curl">Sideways deflection after 1 s of a 25 m/s shot with 40 rad/s of sidespin, m.</param>
-/// <param name="TrueCurl">The same by the library, m.</param>
-/// <param name="Roll">How far a ball that starts to roll at 5 m/s has come after 60 s, without damping, m.</param>
-/// <param name="TrueRoll">Where it comes to rest by the library, m.</param>
-/// <param name="VacuumLandings">How far from the parabola's end a 20 m/s, 30° shot lands in vacuum, at several steps.</param>
+/// <param name="TrueCurl">The same deflection by the library, m.</param>
+/// <param name="Roll">The distance after 60 s of a ball that starts to roll at 5 m/s, without damping, m.</param>
+/// <param name="TrueRoll">The distance at which it comes to rest by the library, m.</param>
+/// <param name="VacuumLandings">The distance between the landing of a 20 m/s, 30° shot in vacuum and the parabola's end, at several steps.</param>
 public sealed record RigidBodyEngineReport(
     IReadOnlyList<RigidBodyRebound> Rebounds,
     double Curl,
@@ -19,7 +19,7 @@ public sealed record RigidBodyEngineReport(
 
     private static readonly double Radius = BallProperties.Tunnel.Radius;
 
-    /// <summary>Measures all of it.</summary>
+    /// <summary>Runs all measurements.</summary>
     public static RigidBodyEngineReport Measure()
     {
         Vector3d velocity = new(0, 5, -25);
@@ -121,8 +121,8 @@ public sealed record RigidBodyEngineReport(
     }
 }
 
-/// <summary>Restitution that comes out of drops at one step, s, between the worst cases.</summary>
+/// <summary>The measured restitution of drops at one step, s, and the worst cases.</summary>
 public sealed record RigidBodyRebound(double TimeStep, double Restitution, double Least, double Greatest);
 
-/// <summary>How far from the parabola's end a shot lands in vacuum at one step, s.</summary>
+/// <summary>The distance between the landing of a shot in vacuum and the parabola's end, at one step, s.</summary>
 public sealed record RigidBodyLanding(double TimeStep, double Error);

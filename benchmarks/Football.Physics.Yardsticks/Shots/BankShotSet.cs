@@ -1,22 +1,22 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>Requests for kicks that are to meet some things first, and have an answer: a random kick met them, and came to the target before anything else.</summary>
+/// <summary>Requests for kicks with given contacts before the target. A solution exists: a random kick had these contacts, and reached the target before any other one.</summary>
 /// <param name="simulator">The scene.</param>
-/// <param name="after">What is to be met.</param>
+/// <param name="after">The contacts before the target.</param>
 public sealed class BankShotSet(Simulator simulator, params string[] after)
 {
     private readonly Trajectory _path = new(1024);
 
-    /// <summary>Speeds of the kicks, m/s.</summary>
+    /// <summary>The speeds of the kicks, m/s.</summary>
     public (double Least, double Most) Speed { get; init; } = (15, 26);
 
-    /// <summary>Their elevations, degrees.</summary>
+    /// <summary>The elevations of the kicks, degrees.</summary>
     public (double Least, double Most) Elevation { get; init; } = (4, 30);
 
-    /// <summary>Their azimuths, degrees to the left of −z.</summary>
+    /// <summary>The azimuths of the kicks, degrees to the left of −z.</summary>
     public (double Least, double Most) Azimuth { get; init; } = (-15, 15);
 
-    /// <summary>The next request, to 1 mm.</summary>
+    /// <summary>Draws the next request, to 1 mm.</summary>
     public AimRequest Draw(SeededRandom random)
     {
         const double PerDegree = Math.PI / 180;

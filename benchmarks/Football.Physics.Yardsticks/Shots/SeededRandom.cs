@@ -1,28 +1,28 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>Seeded random numbers: the same in every run and on every machine, but for the last bit of logarithms.</summary>
+/// <summary>Seeded random numbers: the same in every run and on every machine, except for the last bit of logarithms.</summary>
 public class SeededRandom(ulong seed)
 {
-    /// <summary>What each draw adds to the state.</summary>
+    /// <summary>The increment of the state per draw.</summary>
     protected const ulong Step = 0x9E3779B97F4A7C15UL;
 
     private ulong _state = seed;
 
-    /// <summary>Begins with a small number.</summary>
+    /// <summary>Creates a sequence from a small seed.</summary>
     public SeededRandom(long seed)
         : this(Mix(seed, 0))
     {
     }
 
-    /// <summary>A seed from two numbers.</summary>
+    /// <summary>Returns a seed from two numbers.</summary>
     public static ulong Mix(long seed, long index) => unchecked(((ulong)seed * 0x9E3779B97F4A7C15UL) ^ ((ulong)index * 0xD1B54A32D192ED03UL));
 
-    /// <summary>0 … 1, 1 excluded.</summary>
+    /// <summary>Returns a number in 0 … 1, 1 excluded.</summary>
     public virtual double Next() => (Bits() >> 11) * (1.0 / (1UL << 53));
 
     public double Uniform(double low, double high) => low + ((high - low) * Next());
 
-    /// <summary>Uniform in the logarithm.</summary>
+    /// <summary>Returns a number that is uniform in the logarithm.</summary>
     public virtual double Log(double low, double high) => low * Math.Pow(high / low, Next());
 
     public bool Chance(double share) => Next() < share;
@@ -31,7 +31,7 @@ public class SeededRandom(ulong seed)
 
     public T Any<T>(params ReadOnlySpan<T> values) => values[Below(values.Length)];
 
-    /// <summary>A direction, every one as likely as any other.</summary>
+    /// <summary>Returns a direction, uniform over the sphere.</summary>
     public virtual Vector3d Direction()
     {
         double y = Uniform(-1, 1);
@@ -40,14 +40,14 @@ public class SeededRandom(ulong seed)
         return new Vector3d(flat * Math.Cos(angle), y, flat * Math.Sin(angle));
     }
 
-    /// <summary>A direction along the ground.</summary>
+    /// <summary>Returns a direction along the ground.</summary>
     public Vector3d Heading()
     {
         double angle = Uniform(0, 2 * Math.PI);
         return new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
     }
 
-    /// <summary>A velocity from the ground: any azimuth, an elevation in degrees.</summary>
+    /// <summary>Returns a velocity from the ground: any azimuth, an elevation in degrees.</summary>
     public Vector3d Velocity(double slow, double fast, double low, double high)
     {
         double speed = Uniform(slow, fast);
@@ -55,7 +55,7 @@ public class SeededRandom(ulong seed)
         return speed * ((Math.Cos(elevation) * Heading()) + new Vector3d(0, Math.Sin(elevation), 0));
     }
 
-    /// <summary>The next 64 bits of SplitMix64.</summary>
+    /// <summary>Returns the next 64 bits of SplitMix64.</summary>
     protected ulong Bits()
     {
         unchecked
@@ -66,7 +66,7 @@ public class SeededRandom(ulong seed)
         return Mixed(_state);
     }
 
-    /// <summary>The bits of a state.</summary>
+    /// <summary>Returns the bits of a state.</summary>
     protected static ulong Mixed(ulong z)
     {
         unchecked

@@ -1,21 +1,21 @@
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The seeded shots that every timing and every error is measured with.</summary>
+/// <summary>The seeded shots for every timing and every error.</summary>
 public static class ShotSets
 {
-    /// <summary>Shots in a set.</summary>
+    /// <summary>The number of shots in a set.</summary>
     public const int Count = 64;
 
-    /// <summary>Step of the timed flights, s.</summary>
+    /// <summary>The time step of the timed flights, s.</summary>
     public const double TimeStep = 0.01;
 
-    /// <summary>Steps of a timed flight: 1.2 s, over which no fast shot leaves the drag law's branch.</summary>
+    /// <summary>The number of steps of a timed flight: 1.2 s, over which no fast shot leaves its branch of the drag law.</summary>
     public const int Steps = 120;
 
-    /// <summary>Height, m, from which a timed flight does not reach the ground.</summary>
+    /// <summary>A height, m, from which a timed flight does not reach the ground.</summary>
     public const double HighUp = 100;
 
-    /// <summary>Duration of a look-ahead, s.</summary>
+    /// <summary>The duration of a look-ahead, s.</summary>
     public const double LookAhead = 3.0;
 
     /// <summary>24 m/s, 20 to 30 rad/s: all on the drag law's branch with spin.</summary>
@@ -27,7 +27,7 @@ public static class ShotSets
     /// <summary>12 to 27 m/s without spin.</summary>
     public static IReadOnlyList<Shot> WithoutSpin { get; } = Make(3, 12, 27, 0, 0);
 
-    /// <summary>18 to 25 m/s along the ground without spin: slides for longer than a timed flight.</summary>
+    /// <summary>18 to 25 m/s along the ground without spin: these shots slide for longer than a timed flight.</summary>
     public static IReadOnlyList<Shot> Sliding { get; } = Make(4, 18, 25, 0, 0, 0, 0);
 
     /// <summary>4 to 12 m/s along the ground in pure rolling.</summary>
@@ -42,7 +42,7 @@ public static class ShotSets
     /// <summary>The slow set, where most shots cross the drag law's jump: 12.5 to 22 m/s, 5 to 25 rad/s.</summary>
     public static Shot[] Slow(long seed, int count) => Make(seed, 12.5, 22, 5, 25, count: count);
 
-    /// <summary>Uniform speed and elevation, any azimuth, spin of a uniform size about a uniformly random axis, from the ground.</summary>
+    /// <summary>Draws shots from the ground: uniform speed and elevation, any azimuth, spin of a uniform size about a uniformly random axis.</summary>
     /// <param name="seed">Seed of the generator.</param>
     /// <param name="slowest">Least speed, m/s.</param>
     /// <param name="fastest">Greatest speed, m/s.</param>
@@ -50,7 +50,7 @@ public static class ShotSets
     /// <param name="mostSpin">Greatest spin, rad/s.</param>
     /// <param name="flattest">Least elevation, degrees.</param>
     /// <param name="steepest">Greatest elevation, degrees.</param>
-    /// <param name="count">How many shots.</param>
+    /// <param name="count">The number of shots.</param>
     public static Shot[] Make(
         long seed, double slowest, double fastest, double leastSpin, double mostSpin, double flattest = 5, double steepest = 35, int count = Count)
     {

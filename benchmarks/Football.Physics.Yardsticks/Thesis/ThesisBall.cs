@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>A ball the thesis' way: its state machine, forces, integrators and recursive search of the impact, in single precision.</summary>
+/// <summary>A ball by the thesis' method: its state machine, forces, integrators and recursive search of the impact, in single precision.</summary>
 public sealed class ThesisBall
 {
     private const float SlipTolerance = 1e-3f;
@@ -13,9 +13,9 @@ public sealed class ThesisBall
     private readonly float _radius;
     private float _previousSlip;
 
-    /// <summary>A ball in still air.</summary>
+    /// <summary>Creates a ball in still air.</summary>
     /// <param name="method">The integrator.</param>
-    /// <param name="scene">The scene; default the library's. Its forces are all the published ones.</param>
+    /// <param name="scene">The scene; default: the library's. It uses all published forces.</param>
     /// <param name="tolerance">ε of the search for the impact, s; 0 for the thesis' example of an eighth of the step.</param>
     public ThesisBall(Integrator method, Scene? scene = null, float tolerance = 1e-6f)
     {
@@ -39,13 +39,13 @@ public sealed class ThesisBall
 
     public ThesisState State { get; private set; }
 
-    /// <summary>Where the ball last hit the ground.</summary>
+    /// <summary>The position of the ball's last impact on the ground.</summary>
     public Vector3 LastImpact { get; private set; }
 
-    /// <summary>How often it has hit the ground.</summary>
+    /// <summary>The number of impacts on the ground.</summary>
     public int Impacts { get; private set; }
 
-    /// <summary>Kicks the ball from a place.</summary>
+    /// <summary>Kicks the ball from the shot's position.</summary>
     public void Kick(Shot shot)
     {
         Position = shot.Position.ToVector3();

@@ -2,8 +2,8 @@ using System.Numerics;
 
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>Forces and torques the thesis' way: each its own function, everything computed anew in each, in single precision.</summary>
-/// <remarks>The signs and brackets that its listings get wrong are corrected, so that it can be compared with the truth.</remarks>
+/// <summary>Forces and torques by the thesis' method: each its own function, which recomputes everything, in single precision.</summary>
+/// <remarks>Errors of sign and brackets in its listings are corrected, so that the results can be compared with the reference.</remarks>
 public sealed class ThesisForces
 {
     private const float FastDrag = (float)FittedLaws.FastDrag;

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Yardsticks;
 
-/// <summary>The thesis' four integrators (3.3.3, 3.3.4): tuples, a heap object a stage, orientation by adding and normalising.</summary>
+/// <summary>The thesis' four integrators (3.3.3, 3.3.4): tuples, a heap object per stage, orientation by adding and normalising.</summary>
 public sealed class ThesisIntegrators(ThesisForces forces)
 {
     public (Vector3 P, Quaternion Q, Vector3 V, Vector3 W) Integrate(
@@ -82,7 +82,7 @@ public sealed class ThesisIntegrators(ThesisForces forces)
         return (pNext, qNext, vNext, wNext);
     }
 
-    // Not inlined, so that the object is on the heap, as it is in Unity: .NET 10 would keep it on the stack.
+    // Not inlined, so that the object is on the heap, as in Unity: .NET 10 would keep it on the stack.
     [MethodImpl(MethodImplOptions.NoInlining)]
     private ThesisK ComputeK(Vector3 velocity, Vector3 angularVelocity, Quaternion orientation, ThesisState state)
     {
