@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Programs of one ball as NativeAOT publishes them: their size, and how long it takes. A table in Markdown.
+# Publishes programs of one ball with NativeAOT, and prints their size and the time as a table in Markdown.
 #   benchmarks/aot.sh
 # Needs a C compiler.
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a step costs through each border, in ns a step: C#, C, Python with one ball and with 4 096. A table in Markdown; the least of many rounds, one after the other.
+# Measures the cost of a step through each interop boundary, in ns per step: C#, C, Python with one ball and with 4 096. Prints a table in Markdown; each time is the least of many rounds, one after another.
 #   benchmarks/borders.sh
 # Needs a C compiler and Debian's python3-numpy.
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"

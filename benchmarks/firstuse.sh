@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The first use of each thing in a process, in a program of a few lines that has the package: a table in Markdown.
+# Measures the first use of each feature in a process, in a program of a few lines that uses the package. Prints a table in Markdown.
 #   benchmarks/firstuse.sh
 # Compiled just in time, without a package: dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick --only "first use"
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The same rows as npy, CSV and Parquet: rate and memory of each as the tool tells them, the size on disk; Parquet read beside CSV by DuckDB; Parquet killed three times and resumed: the same bytes.
+# Writes the same rows as npy, CSV and Parquet. Prints the rate and memory that the tool reports for each, and the size on disk. Compares Parquet with CSV in DuckDB. Kills and resumes a Parquet run three times: the bytes must be the same.
 #   benchmarks/formats.sh [ROWS]       default 10 000 000 (12 GB in the folder for temporary files)
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"
 rows=${1:-10000000}
@@ -25,7 +25,7 @@ killed=0
 for part in 1 2 3; do
   sweep parquet killed > "$work/said" 2> /dev/null &
   pid=$!
-  # A quarter further each time.
+  # Kill a quarter later each time.
   until at=$(certain) && (( ${at:-0} >= part * rows / 4 )); do
     kill -0 "$pid" 2> /dev/null || break
     sleep 0.05

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Times the netstandard2.1 assembly beside the plain yardstick on Mono, the runtime closest to Unity's.
+# Times the netstandard2.1 assembly next to the plain yardstick on Mono, the runtime closest to Unity's.
 #   benchmarks/mono.sh [SECONDS]     time for each row; default 2
 # Needs mono and mcs (Debian: mono-devel).
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Times the kicks of the work tree and of another commit, which alternate in one process. Exit code 1 if a kick is more than 5 % slower than it was.
+# Times the kicks of the work tree and of another commit, which alternate in one process. Exit code 1 if a kick is more than 5 % slower than before.
 #   benchmarks/paired.sh [COMMIT] [SECONDS]     COMMIT: default that of the last line of benchmarks/history.csv; SECONDS for each run: default 30
-# The place of code in memory moves a time by some percent, and is another in each process: a kick is slower only if it is so in three runs.
+# The position of code in memory changes a time by some percent, and differs between processes: a kick counts as slower only if it is slower in three runs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false

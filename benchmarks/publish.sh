@@ -1,4 +1,4 @@
-# Read by the scripts that publish programs: a directory to work in, and the name of this system.
+# Sourced by the scripts that publish programs: sets a working directory, and the name of this system.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false

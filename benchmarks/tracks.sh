@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the fit of a minute's track costs: football fit --match, and fit_match from Python. Whole processes on one core, alternately; the least of several rounds. Ratios to the tool.
+# Measures the cost of fitting a minute's track: football fit --match, and fit_match from Python. Complete processes alternate on one core; each time is the least of several rounds. Prints ratios to the tool.
 #   benchmarks/tracks.sh [ROUNDS]      default 7
 # Needs a C compiler and Debian's python3-numpy.
 rounds=${1:-7}
@@ -12,7 +12,7 @@ cp "$work/prefix/lib/libfootball_physics.so" "$work/football_physics/"
 export PYTHONPATH=$work
 /usr/bin/python3 benchmarks/Borders/track.py make "$work/track.csv"
 
-# timed COMMAND...: the seconds that it takes.
+# timed COMMAND...: prints the seconds that the command takes.
 timed() {
   local start=$EPOCHREALTIME
   taskset -c 0 "$@" > "$work/said" 2> "$work/log" || { tail -n 5 "$work/log" >&2; exit 1; }

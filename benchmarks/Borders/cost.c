@@ -1,4 +1,4 @@
-/* What a step costs through the C interface: the border, by one call a step and by one call for many steps of the same ball, which is the library's own loop. */
+/* Measures the cost of a step through the C interface: by one call per step, and by one call for many steps of the same ball, which is the library's own loop. */
 #define _POSIX_C_SOURCE 200809L
 #include <football_physics.h>
 #include <stdio.h>
@@ -32,7 +32,7 @@ int main(int argc, char **argv)
     check(FP_CHECK_ABI());
     check(fp_scene_create(json, (int64_t)strlen(json), &scene));
     check(fp_launch(scene, position, velocity, spin, &kick));
-    /* Taken in turn, and the least of each: the machine is shared. 100 steps of 10 ms are in the air. */
+    /* Alternate, and take the least of each: the machine is shared. 100 steps of 10 ms are in the air. */
     for (round = 0; round < ROUNDS; round++) {
         double start = now();
         state = kick;

@@ -1,4 +1,4 @@
-"""What a step costs from Python: the kick of cost.c, one ball, and 4 096 at once with their arrays brought up to date."""
+"""Measures the cost of a step from Python: the kick of cost.c, with one ball, and with 4 096 at once and updated arrays."""
 
 import time
 

@@ -1,4 +1,4 @@
-"""A track of a minute, and its fit from Python.
+"""Makes a track of a minute, and fits it from Python.
 
     track.py make FILE.csv       20 kicks, 50 rows per second, noise of 5 mm, wind of 3 m/s; t, x, y, z with z up, as football fit --match reads it
     track.py fit FILE.csv        fits it as a match, and prints the number of flights

@@ -1,7 +1,7 @@
 using System.Globalization;
 using DuckDB.NET.Data;
 
-// formats ROWS.parquet ROWS.csv: rows of both, and in how many of them any column differs. Exit code 1 where one does.
+// formats ROWS.parquet ROWS.csv: prints the number of rows, and the number of rows with any difference. Exit code 1 if there is one.
 if (args.Length != 2)
 {
     Console.Error.WriteLine("formats ROWS.parquet ROWS.csv");
@@ -12,7 +12,7 @@ using var database = new DuckDBConnection("DataSource=:memory:");
 database.Open();
 using DuckDBCommand command = database.CreateCommand();
 string parquet = $"read_parquet('{args[0]}')";
-// All columns as words, then each as what Parquet has: a number of CSV is read to the last bit, and an empty cell is no number.
+// Read all columns as text, then convert each to the type in Parquet: CSV numbers are exact to the last bit, and an empty cell is NaN.
 string csv = $"read_csv('{args[1]}', header = true, all_varchar = true)";
 List<string> columns = [];
 command.CommandText = $"select column_name, column_type from (describe select * from {parquet})";
