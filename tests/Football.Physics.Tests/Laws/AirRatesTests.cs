@@ -79,4 +79,31 @@ public sealed class AirRatesTests
         Assert.Equal(0, Buoyancy.Acceleration(s_scene with { Forces = ForceSet.None }));
         Assert.Equal(-9.81, Gravity.Acceleration(s_scene));
     }
+
+    /// <summary>In a wind field the jump of the law is not located: the known branch of a step does not matter.</summary>
+    [Theory]
+    [InlineData(25, 60)]
+    [InlineData(25, 1)]
+    [InlineData(8, 60)]
+    public void In_a_wind_field_the_factors_do_not_depend_on_the_branch_of_the_step(double speed, double spin)
+    {
+        var still = SceneAir.Of(s_scene with { Forces = ForceSet.Published });
+        var windy = SceneAir.Of(s_scene with { Forces = ForceSet.Published, Air = s_scene.Air with { WindField = new WindByHeight(5, 1, 0) } });
+        double radius = s_scene.Ball.Radius;
+        DragBranch branch = DragJump.At(speed * speed, radius * radius * spin * spin).Branch;
+        still.Factors(speed * speed, spin, speed * speed, branch, out double drag, out double lift, out double decay);
+        foreach (DragBranch known in new[] { DragBranch.NoSpin, DragBranch.Spinning })
+        {
+            windy.Factors(speed * speed, spin, speed * speed, known, out double d, out double l, out double q);
+            Assert.Equal((drag, lift, decay), (d, l, q));
+        }
+    }
+
+    [Fact]
+    public void A_wind_that_depends_on_the_height_alone_does_not_change_in_time()
+    {
+        Assert.False(SceneAir.Of(s_scene).ChangesInTime);
+        Assert.False(SceneAir.Of(s_scene with { Air = s_scene.Air with { WindField = new WindByHeight(5, 1, 0) } }).ChangesInTime);
+        Assert.True(SceneAir.Of(s_scene with { Air = s_scene.Air with { WindField = new UniformWind(new Vector3d(1, 0, 0)) } }).ChangesInTime);
+    }
 }

@@ -153,4 +153,23 @@ public sealed class DragJumpTests
         static double Hermite(double y0, double m0, double y1, double m1, double x) =>
             (y0 * (1 - (3 * x * x) + (2 * x * x * x))) + (y1 * ((3 * x * x) - (2 * x * x * x))) + (m0 * (x - (2 * x * x) + (x * x * x))) + (m1 * ((x * x * x) - (x * x)));
     }
+
+    /// <summary>A step that starts and ends in the law with spin may have left it in between, if a surface falls fast at the start.</summary>
+    [Fact]
+    public void A_step_that_crosses_and_returns_may_cross()
+    {
+        DragJump inside = Of(1, 1);
+        Assert.False(DragJump.MayCross(DragBranch.Spinning, in inside, Rate(0, 0), in inside, H));
+        Assert.False(DragJump.MayCross(DragBranch.Spinning, in inside, Rate(-0.5 / H, -0.5 / H), in inside, H));
+        Assert.True(DragJump.MayCross(DragBranch.Spinning, in inside, Rate(-2 / H, 0), in inside, H));
+        Assert.True(DragJump.MayCross(DragBranch.Spinning, in inside, Rate(0, -2 / H), in inside, H));
+
+        // From outside, one surface rises above zero and returns.
+        DragJump slow = Of(-1, 1);
+        DragJump dull = Of(1, -1);
+        Assert.False(DragJump.MayCross(DragBranch.NoSpin, in slow, Rate(0.5 / H, 0), in slow, H));
+        Assert.True(DragJump.MayCross(DragBranch.NoSpin, in slow, Rate(2 / H, 0), in slow, H));
+        Assert.False(DragJump.MayCross(DragBranch.NoSpin, in dull, Rate(0, 0.5 / H), in dull, H));
+        Assert.True(DragJump.MayCross(DragBranch.NoSpin, in dull, Rate(0, 2 / H), in dull, H));
+    }
 }

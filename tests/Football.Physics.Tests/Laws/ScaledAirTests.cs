@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Factors of drag and lift against coefficients that have them already.</summary>
@@ -61,4 +63,37 @@ public sealed class ScaledAirTests
         Vector3d expected = Land(plain with { Forces = plain.Forces with { DragCoefficient = 0.25 * 1.6 } });
         Assert.InRange(Vector3d.Distance(expected, Land(plain with { Forces = plain.Forces with { CustomForces = [scaled] } })), 0, 1e-6);
     }
+
+    /// <summary>Scaled laws are the laws times the factors, by the spin vector and by its axis, inside and outside the tables.</summary>
+    [Theory]
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    [InlineData(AerodynamicModel.Measured)]
+    public void Scaled_laws_are_the_laws_times_their_factors(AerodynamicModel form)
+    {
+        var scene = new Scene { Forces = ForceSet.Published with { Coefficients = form } };
+        var laws = AirLaws.Of(scene);
+        var scaled = AirLaws.Of(scene, 1.3, 0.6);
+        int lifts = 0;
+        foreach (double speed in new[] { 0.5, 9, 25, 500 })
+        {
+            foreach (double spin in new[] { 0, 3, 60, 900 })
+            {
+                double u = speed * speed;
+                laws.Factors(u, spin, 0.9 * u, DragBranch.Spinning, out double drag, out double lift, out double decay);
+                scaled.Factors(u, spin, 0.9 * u, DragBranch.Spinning, out double d, out double l, out double q);
+                Assert.Equal((1.3 * drag, 0.6 * lift, decay), (d, l, q));
+                laws.FactorsPerSpin(u, spin * spin, 0.9 * u * spin * spin, DragBranch.Spinning, out drag, out lift, out decay);
+                scaled.FactorsPerSpin(u, spin * spin, 0.9 * u * spin * spin, DragBranch.Spinning, out d, out l, out q);
+                Assert.Equal((1.3 * drag, 0.6 * lift, decay), (d, l, q));
+                lifts += lift > 0 ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(lifts, 6, 16);
+    }
+
+    [Fact]
+    public void A_negative_factor_of_the_drag_is_refused() =>
+        Assert.Contains("drag", Assert.Throws<ArgumentOutOfRangeException>(() => new ScaledAir(new Scene(), -0.1, 1)).Message, StringComparison.Ordinal);
 }

@@ -187,6 +187,55 @@ public sealed class LookAheadRunTests
         Assert.Throws<ArgumentOutOfRangeException>(() => run.Follows(in ball, -1));
     }
 
+    /// <summary>The ball pushes a box away, comes back from a wall, and meets the box where it has gone.</summary>
+    [Fact]
+    public void A_box_that_the_ball_pushes_is_met_again_where_it_has_gone()
+    {
+        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, 2), new Vector3d(0, 0, -1)) };
+        Obstacle box = Box() with { Shape = new BoxShape(new Vector3d(0, 0, -5), new Vector3d(0.3, 0.3, 0.3)) };
+        var simulator = new Simulator(Scene.Vacuum with { Gravity = 0, Ground = Ground.None, Obstacles = [box, wall] });
+        BallState ball = simulator.Launch(Vector3d.Zero, new Vector3d(0, 0, -20), Vector3d.Zero);
+        var run = new LookAheadRun(simulator);
+        run.Start(in ball, new LookAheadRequest { Duration = 4, StopAt = StopAt.Time });
+        while (!run.Continue(5))
+        {
+        }
+
+        Assert.True(run.Path.TryGetHit(0, out BallEvent first));
+        Assert.True(run.Path.TryGetHit(1, out BallEvent atWall));
+        Assert.True(run.Path.TryGetHit(2, out BallEvent again));
+        Assert.Equal((1, 2, 1), (first.ColliderIndex, atWall.ColliderIndex, again.ColliderIndex));
+        Assert.Equal(-5 + 0.3 + simulator.Scene.Ball.Radius, first.Position.Z, 1e-6);
+
+        // The momentum that the ball has lost is that of the box.
+        double gone = simulator.Scene.Ball.Mass * (20 + atWall.VelocityBefore.Z) / box.Mass * (again.Time - first.Time);
+        Assert.Equal(first.Position.Z - gone, again.Position.Z, 1e-6);
+    }
+
+    /// <summary>A call takes as many steps as it is allowed to, for one ball and for several.</summary>
+    [Fact]
+    public void A_call_takes_no_more_steps_than_it_may()
+    {
+        var simulator = new Simulator();
+        BallState[] from = [simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, 6, -18), Vector3d.Zero), simulator.Launch(new Vector3d(5, 0.11, 0), new Vector3d(2, 6, -18), Vector3d.Zero)];
+        var request = new LookAheadRequest { Duration = 1, TimeStep = 0.01, StopAt = StopAt.Time };
+        var one = new LookAheadRun(simulator);
+        var several = new GroupLookAheadRun(new BallGroup(simulator, 2));
+        one.Start(in from[0], request);
+        several.Start(from, request);
+        long steps = 0;
+        foreach (int count in new[] { 1, 3, 20 })
+        {
+            steps += count;
+            Assert.False(one.Continue(count) || several.Continue(count));
+            Assert.Equal((steps, steps), (one.Steps, several.Steps));
+            Assert.Equal(0.01 * steps, several.Paths[1].EndTime, 1e-12);
+        }
+
+        Assert.Equal("from", Assert.Throws<ArgumentNullException>(() => several.Start(null!, request)).ParamName);
+        Assert.Equal("request", Assert.Throws<ArgumentNullException>(() => several.Start(from, null!)).ParamName);
+    }
+
     [Fact]
     public void A_force_that_throws_ends_the_run_before_its_step()
     {

@@ -67,6 +67,70 @@ public sealed class PassingTests
         Assert.Equal(whole.ClosestApproach(point).Distance, until.ClosestApproach(point).Distance, 1e-6);
     }
 
+    /// <summary>Without drag and weight, sidespin takes the ball round in a circle, and back past a point behind its start.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(40)]
+    public void Until_passing_goes_on_if_the_ball_flies_in_a_circle(double clock)
+    {
+        const double Speed = 10;
+        const double Behind = 0.5;
+        Simulator simulator = Circling(gravity: 0, Ground.None, 10, out double turn);
+        BallState ball = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 0, -Speed), new Vector3d(0, 10, 0));
+        ball.Time = clock;
+        var point = new Vector3d(0, 1, Behind);
+        var path = new Trajectory(4096);
+        simulator.LookAhead(in ball, new LookAheadRequest { Duration = 1.1 * 2 * Math.PI / turn, UntilPassing = point }, path);
+        double radius = Speed / turn;
+        Assert.Equal(Math.Sqrt((radius * radius) + (Behind * Behind)) - radius, path.ClosestApproach(point).Distance, 1e-5);
+    }
+
+    /// <summary>A ball on a springy ground without friction hops in a wide circle, and comes back after the first hops.</summary>
+    [Fact]
+    public void Until_passing_goes_on_if_the_ball_hops_in_a_circle()
+    {
+        Ground springy = Ground.PublishedTurf with
+        {
+            Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 0.98, ImpactFriction = 0, SlidingFriction = 0, SpinDamping = 0, SpinRestitution = 1 },
+        };
+        Simulator simulator = Circling(gravity: 9.81, springy, 2.14, out double turn);
+        BallState ball = simulator.Launch(simulator.OnGround(0, 0), new Vector3d(0, 5, -10), new Vector3d(0, 2.14, 0));
+        Vector3d point = ball.Position + new Vector3d(0, 0, 6);
+        var request = new LookAheadRequest { Duration = 1.1 * 2 * Math.PI / turn, StopAt = StopAt.Rest };
+        var whole = new Trajectory(8192);
+        var until = new Trajectory(8192);
+        simulator.LookAhead(in ball, request, whole);
+        simulator.LookAhead(in ball, request with { UntilPassing = point }, until);
+        Assert.InRange(whole.ClosestApproach(point).Distance, 0, 3);
+        Assert.Equal(whole.ClosestApproach(point).Distance, until.ClosestApproach(point).Distance, 1e-6);
+    }
+
+    /// <summary>In still air, a spin that would need the whole look-ahead to turn the ball back cannot do so in the few seconds up to its last hop.</summary>
+    [Fact]
+    public void Until_passing_ends_soon_after_a_ball_that_bounces_on()
+    {
+        Simulator simulator = Circling(gravity: 9.81, Ground.PublishedTurf, 0.86, out double turn);
+        Assert.InRange(turn, 0.08, 0.12);
+        BallState ball = simulator.Launch(simulator.OnGround(0, 0), new Vector3d(0, 3, -20), new Vector3d(0, 0.86, 0));
+        var path = new Trajectory(4096);
+        simulator.LookAhead(in ball, new LookAheadRequest { Duration = 30, UntilPassing = new Vector3d(0.3, 0.5, -5) }, path);
+        Assert.InRange(path.EndTime, 0.25, 0.5);
+    }
+
+    /// <summary>Only gravity and a constant Magnus coefficient act. The velocity turns at C π ρ r³ ω/m about the vertical.</summary>
+    private static Simulator Circling(double gravity, Ground ground, double spin, out double turn)
+    {
+        const double Coefficient = 10;
+        Scene scene = Scene.Vacuum with
+        {
+            Gravity = gravity,
+            Ground = ground,
+            Forces = ForceSet.None with { Magnus = ForceLaw.Constant, MagnusCoefficient = Coefficient },
+        };
+        turn = Coefficient * Math.PI * scene.Air.Density * Math.Pow(scene.Ball.Radius, 3) * spin / scene.Ball.Mass;
+        return new Simulator(scene);
+    }
+
     [Fact]
     public void Memory_that_fits_exactly_is_complete()
     {
