@@ -199,6 +199,43 @@ public sealed class FixedStepRunnerTests
     }
 
     [Fact]
+    public void A_runner_of_several_balls_names_what_one_ball_cannot_do()
+    {
+        var simulator = new Simulator();
+        var runner = new FixedStepRunner(new BallGroup(simulator, 2));
+        Assert.Contains("RestoreAll", Assert.Throws<ArgumentException>(() => runner.Restore(0, simulator.Launch(Vector3d.Up, Vector3d.Up, Vector3d.Zero))).Message, StringComparison.Ordinal);
+        Assert.Equal("ball", Assert.Throws<ArgumentOutOfRangeException>(() => runner.PoseAt(0.5, 2)).ParamName);
+        Assert.Equal(runner.States[1].Position, runner.PoseAt(0.5, 1).Position);
+    }
+
+    /// <summary>Only a rollback keeps the motions of a fixed number of bodies.</summary>
+    [Fact]
+    public void A_scene_with_more_bodies_is_refused_with_a_rollback_only()
+    {
+        var box = new Obstacle { Name = "box", Shape = new BoxShape(new Vector3d(5, 0.3, 0), new Vector3d(0.3, 0.3, 0.3)), Mass = 4 };
+        var other = new Simulator(new Scene { Obstacles = [box] });
+        var alone = new FixedStepRunner { Simulator = other };
+        Assert.Same(other, alone.Simulator);
+        var kept = new FixedStepRunner();
+        _ = new Rollback(kept);
+        Assert.Throws<InvalidOperationException>(() => kept.Simulator = other);
+        var windy = new Simulator(Scene.Windy(new Vector3d(3, 0, 0)));
+        kept.Simulator = windy;
+        Assert.Same(windy, kept.Simulator);
+    }
+
+    [Fact]
+    public void Angles_of_a_kick_are_those_of_its_velocity()
+    {
+        var ball = new Ball();
+        ball.Kick(20, elevationDegrees: 30, azimuthDegrees: 90, topSpin: 8, sideSpin: -5);
+
+        // 90° to the left of −z is −x. Topspin turns about the horizontal axis to the left of the kick: +z.
+        Assert.Equal(0, (ball.Velocity - new Vector3d(-20 * Math.Sqrt(0.75), 10, 0)).Length, 1e-13);
+        Assert.Equal(0, (ball.Spin - new Vector3d(0, -5, 8)).Length, 1e-13);
+    }
+
+    [Fact]
     public void A_kick_in_numbers_is_the_ball_s_own()
     {
         var runner = new FixedStepRunner();

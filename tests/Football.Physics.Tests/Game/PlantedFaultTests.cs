@@ -60,6 +60,20 @@ public sealed class PlantedFaultTests
         Assert.Null(rollback.SyncTest(8));
     }
 
+    /// <summary>Flags and indices are told as whole numbers, and have no distance in units in the last place.</summary>
+    [Fact]
+    public void Flags_and_indices_are_no_numbers()
+    {
+        string[] whole = ["motion", "dragRegion", "carrier", "nets", "netSides", "goalsPassed", "clearIn", "goalsEntered"];
+        string[] told = [.. Enumerable.Range(0, StateFields.Count).Select(StateFields.NameOf).Where(field => !field.IsNumber).Select(field => field.Name)];
+        Assert.Equal(whole, told);
+        BallState state = Match().State;
+        BallState other = state;
+        other.Motion = state.Motion == MotionState.Rolling ? MotionState.Sliding : MotionState.Rolling;
+        StateDifference? found = Snapshot.Difference(state, other);
+        Assert.Equal((((int)state.Motion).ToString(System.Globalization.CultureInfo.InvariantCulture), ((int)other.Motion).ToString(System.Globalization.CultureInfo.InvariantCulture)), (found?.Expected, found?.Actual));
+    }
+
     private static void AssertNames(int field, StateDifference? found)
     {
         (string name, bool isNumber) = StateFields.NameOf(field);

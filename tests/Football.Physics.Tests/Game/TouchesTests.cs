@@ -82,6 +82,23 @@ public sealed class TouchesTests
         Assert.True(Touches.Shield(request with { Opponents = all }).Margin < answer.Margin);
     }
 
+    /// <summary>An opponent behind the player runs along a tangent, an arc of the body and a tangent; one in front runs straight.</summary>
+    [Fact]
+    public void An_opponent_runs_around_the_body_of_the_player()
+    {
+        var opponent = new Player { Position = new Vector3d(1.5, 0, 0), Reaction = 0.1 };
+        var request = new ShieldRequest { Player = new Player { Reaction = 0.3 }, Opponents = [opponent] };
+        ShieldResult answer = Touches.Shield(request);
+        double radius = request.BodyRadius;
+        double arc = Math.PI - Math.Acos(radius / 1.5) - Math.Acos(radius);
+        double around = Math.Sqrt(2.25 - (radius * radius)) + (radius * arc) + Math.Sqrt(1 - (radius * radius));
+        foreach ((double x, double way) in new[] { (-1.0, around), (1.0, 0.5) })
+        {
+            double own = new RunnerMotion(request.Player.Reacting(0), request.Time).ArrivalAt(1);
+            Assert.Equal(new RunnerMotion(in opponent, request.Time).ArrivalAt(way) - own, answer.MarginAt(new Vector3d(x, 0, 0)), 1e-9);
+        }
+    }
+
     [Fact]
     public void Numbers_out_of_range_are_refused_by_name()
     {
