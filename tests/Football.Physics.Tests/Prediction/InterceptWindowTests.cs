@@ -1,4 +1,3 @@
-using FootballPhysics.State;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Predictors;
@@ -10,16 +9,17 @@ public sealed class InterceptWindowTests
 
     /// <summary>The ball starts beside him and leaves his reach before the first segment ends.</summary>
     [Theory]
-    [InlineData(0.1)]
-    [InlineData(0.3)]
-    public void A_ball_that_leaves_at_once_was_within_reach_until_then(double reach)
+    [InlineData(0.1, 0)]
+    [InlineData(0.1, 0.09)]
+    [InlineData(0.3, 0)]
+    public void A_ball_that_leaves_at_once_was_within_reach_until_then(double reach, double from)
     {
-        Trajectory path = Path(Straight(0, 1, new Vector3d(0, 1, 0), new Vector3d(20, 0, 0)));
+        Trajectory path = Path(Straight(0, 1, new Vector3d(from, 1, 0), new Vector3d(20, 0, 0)));
         var query = new FootballPhysics.Prediction.Interception();
         query.Find(path, [new Player { Reaction = 10, Reach = reach }]);
         InterceptWindow window = Assert.Single(query.Windows.ToArray());
         Assert.Equal(0, window.From);
-        Assert.Equal(reach / 20, window.To, 1e-9);
+        Assert.Equal((reach - from) / 20, window.To, 1e-9);
     }
 
     /// <summary>Something carries the ball off between two segments: from then on he cannot reach it.</summary>
