@@ -1,4 +1,4 @@
-/* A free kick over a wall: the scene is text, the kick is found, the ball is stepped and drawn, and what happens is told. */
+/* A free kick over a wall: reads a scene from JSON, finds the kick, steps and draws the ball, and prints the events. */
 #include <football_physics.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ int main(void)
     printf("%s: velocity (%.2f, %.2f, %.2f) m/s\n", verdict == FP_AIM_HIT ? "a hit" : "no hit", velocity[0], velocity[1], velocity[2]);
     check(fp_launch(scene, position, velocity, spin, &state));
 
-    /* From the side: 24 m wide and 3.6 m high. The wall, and the goal with its bar. */
+    /* The drawing from the side, 24 m wide and 3.6 m high, with the wall, and the goal with its bar. */
     memset(drawing, ' ', sizeof drawing);
     for (i = 0; i < 6; i++) drawing[ROWS - 1 - i][(int)(9.15 * 3)] = '#';
     for (i = 0; i < 8; i++) drawing[ROWS - 1 - i][22 * 3] = '|';

@@ -26,7 +26,7 @@ var drawings = new List<XElement>();
 
 foreach (Shot shot in Shots.All())
 {
-    // The simulator is the compiled scene, the state is the ball: copy it to save it, step the copy to look ahead.
+    // The simulator is the compiled scene, and the state is the ball. Copy the state to save it; step the copy to look ahead.
     var simulator = new Simulator(shot.Scene);
     BallState ball = simulator.Launch(shot.From, shot.Velocity, shot.Spin);
     var log = new StepLog();

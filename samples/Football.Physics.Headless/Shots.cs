@@ -5,7 +5,7 @@ namespace FootballPhysics.Headless;
 
 /// <summary>A kick and its scene.</summary>
 /// <param name="Name">The name.</param>
-/// <param name="Scene">Ball, air, ground, goals, walls.</param>
+/// <param name="Scene">The ball, the air, the ground, the goals and the walls.</param>
 /// <param name="From">The position of the ball before the kick, m.</param>
 /// <param name="Velocity">Velocity, m/s.</param>
 /// <param name="Spin">Spin, rad/s.</param>
@@ -17,7 +17,7 @@ internal static class Shots
     private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -25), Facing = new Vector3d(0, 0, 1) };
     private static readonly Scene s_goalAhead = new() { Goals = [s_goal] };
 
-    // Four people shoulder to shoulder, 9.15 m from the ball.
+    // Four players stand shoulder to shoulder, 9.15 m from the ball.
     private static readonly Scene s_wall = s_goalAhead with
     {
         Obstacles = [new Obstacle { Name = "wall", Shape = new BoxShape(new Vector3d(-1.2, 0.9, -9.15), new Vector3d(1, 0.9, 0.2)), Surface = SurfaceMaterial.Boot }],

@@ -1,11 +1,11 @@
 -- A free kick over a wall with LÖVE 11 and the C library. Aim with the mouse or the arrow keys. A and D change the sidespin, W and S the topspin.
--- Hold the mouse button or the space bar for power, and let go to kick. R puts the ball back.
+-- Hold the mouse button or the space bar for power, and release it to kick. R resets the ball.
 --   love samples/Love                        play
 --   love samples/Love --picture FILE.png     kick once, write a picture and print: Goal! hash 413ea67789e2e52a
 local ffi, bit, draw, STEP, GOAL, WALL, FOCAL, HORIZON = require("ffi"), require("bit"), love.graphics, 1 / 60, -22, -9.15, 1000, 170
 if arg[2] == "--picture" then love.errorhandler = print end
 
--- The folder that build.sh of src/Football.Physics.Native wrote. LuaJIT parses the header, but has no preprocessor: the macros are replaced here.
+-- The folder that build.sh of src/Football.Physics.Native wrote. LuaJIT parses the header, but has no preprocessor, so the code below replaces the macros.
 local prefix = os.getenv("FOOTBALL_PHYSICS") or love.filesystem.getSource() .. "/../../out/native"
 local header, macros = assert(io.open(prefix .. "/include/football_physics.h")):read("*a"):gsub("#ifdef __cplusplus.-#endif", ""), {}
 for name, value in header:gmatch("#define (FP_%u+_%u+) (%d+)") do macros[name] = tonumber(value) end
@@ -49,7 +49,7 @@ local function step()
 end
 
 local function power() return 16 + 16 * math.min(1, held and love.timer.getTime() - held or 0.5) end
-local function seen(x, y, z) -- the pixel at which a point is seen, and the pixels of a metre there
+local function seen(x, y, z) -- returns the pixel of a point, and the pixels of a metre there
   local scale = FOCAL / math.max(0.5, eye[3] - z)
   return 480 + scale * (x - eye[1]), HORIZON - scale * (y - eye[2]), scale
 end
@@ -60,7 +60,7 @@ local function disc(color, x, y, z, radius, flat)
   draw.ellipse("fill", u, v, radius * scale, radius * scale * (flat or 1))
 end
 
-local function shape(color, width, ...) -- through points x, y, z; without a width, filled
+local function shape(color, width, ...) -- draws through points x, y, z; without a width, filled
   local points, pixels = type(...) == "table" and ... or { ... }, {}
   for i = 1, #points, 3 do pixels[#pixels + 1], pixels[#pixels + 2] = seen(points[i], points[i + 1], points[i + 2]) end
   draw.setColor(color)

@@ -33,7 +33,7 @@ while (ball.Motion != MotionState.Rest)
     }
 }
 
-// Aim: which kick of 27 m/s with that sidespin goes over the wall's place and into the corner?
+// Aim: find the kick of 27 m/s with that sidespin that passes over the wall and reaches the corner.
 AimResult kick = new Aimer(scene).Find(new AimRequest
 {
     From = new Vector3d(0, 0.11, 0),

@@ -3,7 +3,7 @@ using FootballPhysics.Netcode;
 
 namespace FootballPhysics.Network;
 
-/// <summary>Plays a team, as people at pads would: it may do what it likes, and be different on every machine, for only what it asks for counts.</summary>
+/// <summary>Plays a team, as people with gamepads would. Its decisions may differ from machine to machine, because only its inputs count.</summary>
 public sealed class Brain(int team, int seed)
 {
     private const int ThinksEvery = 8;
@@ -11,7 +11,7 @@ public sealed class Brain(int team, int seed)
     private readonly byte[] _moves = [.. TeamInput.Stand.Moves];
     private long _rests;
 
-    /// <summary>What the team does in a tick, by what this machine sees.</summary>
+    /// <summary>Returns the inputs of the team in a tick, from the match on this machine.</summary>
     public TeamInput Decide(Match match, long tick)
     {
         BallState ball = match.Runner.State;
@@ -36,7 +36,7 @@ public sealed class Brain(int team, int seed)
         return new TeamInput([.. _moves], kick);
     }
 
-    /// <summary>A shot from near the goal, else a pass. In single precision: 24 bytes say all of it.</summary>
+    /// <summary>Returns a shot if the goal is near, otherwise a pass. The numbers are single-precision, so that 24 bytes hold them exactly.</summary>
     private KickInput Kick(Match match, long tick, int player, Vector3d from)
     {
         var goal = new Vector3d(0, 0, team == 0 ? -52.5 : 52.5);

@@ -3,17 +3,17 @@ using FootballPhysics.Netcode;
 namespace FootballPhysics.Network;
 
 /// <summary>
-/// Plays ahead of the server, so that what its player does is seen at once and comes in time; what the others do it guesses, and plays again from the first tick in which it guessed wrongly.
-/// Two calls of the library do it: the step, and <see cref="Rollback.ResimulateFrom"/>.
+/// Plays ahead of the server, so that the actions of its own team show immediately and reach the server in time. It guesses the inputs of the other team, and replays from
+/// the first tick that it guessed wrongly. It needs two calls of the library: the step, and <see cref="Rollback.ResimulateFrom"/>.
 /// </summary>
 public sealed class Client(int seed, HashLog hashes, string? otherVersion = null)
 {
     private const int RollbackTicks = 128;
 
-    /// <summary>So many ticks of inputs are sent at most.</summary>
+    /// <summary>The maximum number of ticks whose inputs it sends.</summary>
     private const int MostTicks = 200;
 
-    /// <summary>Its inputs are to come to the server so many ticks before they are needed.</summary>
+    /// <summary>The minimum number of ticks by which its inputs should reach the server before they are due.</summary>
     private const int LeastSpare = 2;
     private const int MostSpare = 7;
 
@@ -21,8 +21,8 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
     private readonly Brain _brain = new(team: 1, seed);
     private readonly View _view = new();
     private Rollback? _rollback;
-    private long _confirmed;    // all inputs before this tick are the server's
-    private long _serverHas;    // the server has ours before this tick
+    private long _confirmed;    // the server's inputs before this tick are known
+    private long _serverHas;    // the server has our inputs before this tick
     private long _spare = (LeastSpare + MostSpare) / 2;
     private long _paceChanged;
 
@@ -60,13 +60,13 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
             {
                 writer.Write(_confirmed);
 
-                // Not more than a packet and the memory hold: older ones the server has guessed long since.
+                // Send no more than a packet and the memory hold. The server has already guessed older inputs.
                 writer.WriteInputs(_match, 1, Math.Max(_serverHas, _match.Tick - MostTicks), _match.Tick);
             }),
         ];
     }
 
-    /// <summary>One tick a tick; one more, or none, now and then, where the inputs come too late or too early.</summary>
+    /// <summary>Returns the number of ticks to play now: usually 1; more if the inputs reach the server too late, 0 if they arrive too early.</summary>
     private int Pace(long now)
     {
         if (_spare is >= LeastSpare and <= MostSpare || now - _paceChanged < 30)
@@ -109,13 +109,13 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         long to = Math.Min(from + theirs.Length, _match.Tick);
         if (from > _confirmed)
         {
-            _rollback = null;   // what is missing in between the server sends no more: join again
+            _rollback = null;   // the server no longer sends the inputs in between: join again
             return;
         }
 
         if (to <= _confirmed)
         {
-            return;     // older than what is known
+            return;     // older than the known inputs
         }
 
         long? wrong = null;
@@ -154,7 +154,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         CheckBall(reader, rollback);
     }
 
-    /// <summary>The server's ball at a tick whose inputs are all known is ours to the last bit, or something is wrong; then it is named, and the server's counts.</summary>
+    /// <summary>Compares the server's ball with ours at a tick whose inputs are all known. If they are not bit-identical, reports the difference, and takes over the server's ball.</summary>
     private void CheckBall(BinaryReader reader, Rollback rollback)
     {
         long tick = reader.ReadInt64();

@@ -3,14 +3,14 @@ using FootballPhysics.Shapes;
 
 namespace FootballPhysics.Network;
 
-/// <summary>A player of the game: on the ground, moved by what the machine that owns the player asks for.</summary>
+/// <summary>A player of the game, who moves on the ground by the inputs of his machine.</summary>
 public struct Player
 {
     public Vector3d Place;
     public Vector3d Velocity;
 }
 
-/// <summary>What a team does in one tick: where its eleven want to run, and at most one kick. This, and nothing else, goes over the network.</summary>
+/// <summary>The inputs of a team in one tick: the directions of its eleven players, and at most one kick. The network carries only these.</summary>
 public sealed record TeamInput(byte[] Moves, KickInput? Kick)
 {
     public static TeamInput Stand { get; } = new(Enumerable.Repeat(Match.StandStill, Match.TeamSize).ToArray(), null);
@@ -19,17 +19,17 @@ public sealed record TeamInput(byte[] Moves, KickInput? Kick)
         && (!Kick.HasValue || (Kick.Value.Velocity == other.Kick!.Value.Velocity && Kick.Value.Spin == other.Kick.Value.Spin && Kick.Value.Player == other.Kick.Value.Player));
 }
 
-/// <summary>The game that both machines play. The same inputs at the same ticks give the same bits: it computes with + − × ÷ √ alone, and the library does too.</summary>
+/// <summary>The game that both machines play. Equal inputs at equal ticks give bit-identical results, because it computes only with + − × ÷ √, as the library does.</summary>
 public sealed class Match
 {
     public const int TeamSize = 11;
     public const int Players = 2 * TeamSize;
     public const double Step = 1.0 / 60;
 
-    /// <summary>So many ticks are kept: more than anybody rolls back.</summary>
+    /// <summary>The number of ticks kept in memory; larger than any rollback.</summary>
     public const int Kept = 256;
 
-    /// <summary>The ball goes over the network at every such tick, in 24 bytes, which are its state then: see FixedStepRunner.WireTicks.</summary>
+    /// <summary>The number of ticks between two transmissions of the ball. At these ticks, the ball's state is rounded to 24 bytes: see FixedStepRunner.QuantizationInterval.</summary>
     public const int WireTicks = 6;
 
     public const byte StandStill = (3 << 3) | 3;
@@ -48,7 +48,7 @@ public sealed class Match
             _players[0][i].Place = Home(i);
         }
 
-        // A pitch with goals, in a hall: four walls keep the ball in.
+        // A pitch with goals, in a hall whose four walls keep the ball in.
         Obstacle Wall(Vector3d point, Vector3d normal) => new() { Name = "wall", Shape = new PlaneShape(point, normal), Surface = SurfaceMaterial.Board };
         Scene scene = Pitch.Standard.On() with
         {
@@ -64,18 +64,18 @@ public sealed class Match
 
     public FixedStepRunner Runner { get; }
 
-    /// <summary>The tick whose inputs are played next.</summary>
+    /// <summary>The next tick to play.</summary>
     public long Tick => Runner.Tick;
 
     public Player[] PlayersAt(long tick) => _players[tick % Kept];
 
     public TeamInput InputAt(long tick, int team) => _inputs[tick % Kept][team];
 
-    /// <summary>Without news a team is taken to go on as it went.</summary>
+    /// <summary>Returns the guess for unknown inputs: the team repeats its moves of the tick before, without a kick.</summary>
     public TeamInput Guess(long tick, int team) => tick == 0 ? TeamInput.Stand : InputAt(tick - 1, team) with { Kick = null };
 
-    /// <summary>Sets what a team does in a tick.</summary>
-    /// <returns>True when that is not what it was.</returns>
+    /// <summary>Sets the inputs of a team in a tick.</summary>
+    /// <returns>True if they differ from the inputs set before.</returns>
     public bool SetInput(long tick, int team, TeamInput input)
     {
         ref TeamInput slot = ref _inputs[tick % Kept][team];
@@ -99,25 +99,25 @@ public sealed class Match
         return changes;
     }
 
-    /// <summary>True when a player stands near enough to the ball to kick it.</summary>
+    /// <summary>True if a player is near enough to the ball to kick it.</summary>
     public bool CanKick(int player, in BallState ball, long tick) =>
         (ball.Position - PlayersAt(tick)[player].Place).Length < Reach;
 
-    /// <summary>Plays one tick: players, then the ball.</summary>
+    /// <summary>Plays one tick: first the players, then the ball.</summary>
     public void Advance()
     {
         MovePlayers(Tick);
         Runner.Step();
     }
 
-    /// <summary>Goes to a tick: what a machine does that joins, or rolls back.</summary>
+    /// <summary>Moves the match to a tick, when a machine joins or rolls back.</summary>
     public void Restore(long tick, ReadOnlySpan<Player> players, in BallState ball)
     {
         players.CopyTo(PlayersAt(tick));
         Runner.Restore(tick, in ball);
     }
 
-    /// <summary>Where the players are after a tick, by where they were and what they were asked to do in it.</summary>
+    /// <summary>Computes the positions of the players after a tick from their positions before it and their inputs.</summary>
     public void MovePlayers(long tick)
     {
         Player[] from = PlayersAt(tick);
@@ -131,14 +131,14 @@ public sealed class Match
         }
     }
 
-    /// <summary>A wish in a byte: two directions from −3 to 3, and a pace from 0 to 3.</summary>
+    /// <summary>Packs the move of a player into a byte: two components of the direction, −3 to 3, and a pace, 0 to 3.</summary>
     public static byte Move(Vector3d direction, int pace)
     {
         double size = Math.Max(Math.Abs(direction.X), Math.Abs(direction.Z));
         return size < 1e-9 ? StandStill : (byte)((pace << 6) | (((int)Math.Round(3 * direction.X / size) + 3) << 3) | ((int)Math.Round(3 * direction.Z / size) + 3));
     }
 
-    /// <summary>Where a player stands when nothing happens: 4-4-2, the second team on the other half.</summary>
+    /// <summary>Returns the base position of a player: 4-4-2, with the second team on the other half.</summary>
     public static Vector3d Home(int player)
     {
         int i = player % TeamSize;
@@ -154,7 +154,7 @@ public sealed class Match
         return size > 0 ? 2.5 * (move >> 6) / size * direction : Vector3d.Zero;
     }
 
-    /// <summary>Asked by the library at every step, also those of a rollback: the players where they are at that tick.</summary>
+    /// <summary>Places the players at their positions of the tick. The library calls it at every step, also at those of a rollback.</summary>
     private void PutPlayers(double time)
     {
         Player[] players = PlayersAt(Tick);

@@ -2,7 +2,7 @@ using FootballPhysics.Netcode;
 
 namespace FootballPhysics.Network;
 
-/// <summary>What is drawn: the ball as it is, and what is left of the last corrections, which goes within some tenths of a second.</summary>
+/// <summary>The drawn ball: its position, plus the rest of the last corrections, which decays within some tenths of a second.</summary>
 public sealed class View
 {
     private const double HalfLife = 0.08;
@@ -12,14 +12,14 @@ public sealed class View
     private Vector3d _drawn;
     private Vector3d _ball;
 
-    /// <summary>Largest step from one frame to the next beyond what the ball has moved, m: without smoothing, and with it.</summary>
+    /// <summary>The largest jump between two frames beyond the motion of the ball, m, without smoothing.</summary>
     public double RawJump { get; private set; }
 
     public double DrawnJump { get; private set; }
 
     public void Snap(in BallState ball) => (_error, _drawn, _ball) = (default, ball.Position, ball.Position);
 
-    /// <summary>The ball is elsewhere at once: what is drawn is not.</summary>
+    /// <summary>Keeps the drawn position when a correction moves the ball.</summary>
     public void Corrected(in BallState ball)
     {
         Vector3d jump = ball.Position - _ball;
@@ -40,7 +40,7 @@ public sealed class View
     }
 }
 
-/// <summary>What playing again changed, beside what it can have at most: who learns late that the ball is kicked sees it go as far as both ways are long since then.</summary>
+/// <summary>Measures the corrections by replays against an upper bound: until a machine learns of a kick, the ball can travel the sum of both paths since that kick.</summary>
 public sealed class Corrections
 {
     private readonly List<BallState> _before = [];
@@ -56,7 +56,7 @@ public sealed class Corrections
 
     public string? FirstDivergence { get; private set; }
 
-    /// <summary>Corrections that were larger than told.</summary>
+    /// <summary>The number of corrections that were larger than their bound.</summary>
     public int TooLarge { get; private set; }
 
     public int Count => _sizes.Count;
@@ -86,19 +86,19 @@ public sealed class Corrections
             return;
         }
 
-        // Both ways together, at the greatest speed of either end of each tick; a kick begins its tick with its own.
-        double told = 0.01;
+        // The length of both paths together, from the larger speed at the ends of each tick. A kick starts its tick with its own speed.
+        double bound = 0.01;
         for (int i = 1; i < _before.Count; i++)
         {
             BallState a = rollback.StateAt(from + i - 1);
             BallState b = rollback.StateAt(from + i);
             double kicked = KickSpeed(rollback.Runner.Kicks, from + i - 1);
-            told += Match.Step * (Math.Max(_before[i - 1].Velocity.Length, _before[i].Velocity.Length) + Math.Max(kicked, Math.Max(a.Velocity.Length, b.Velocity.Length)));
+            bound += Match.Step * (Math.Max(_before[i - 1].Velocity.Length, _before[i].Velocity.Length) + Math.Max(kicked, Math.Max(a.Velocity.Length, b.Velocity.Length)));
         }
 
         double size = (now.Position - _before[^1].Position).Length;
         _sizes.Add(size);
-        TooLarge += size > told ? 1 : 0;
+        TooLarge += size > bound ? 1 : 0;
     }
 
     public void Diverged(string what)
@@ -119,7 +119,7 @@ public sealed class Corrections
     }
 }
 
-/// <summary>The hash of the ball at every tick that is final, in a file: two machines' are compared afterwards, tick by tick.</summary>
+/// <summary>Writes the hash of the ball at every final tick to a file, so that the files of two machines can be compared tick by tick.</summary>
 public sealed class HashLog(string? file) : IDisposable
 {
     private readonly BinaryWriter? _writer = file is null ? null : new BinaryWriter(File.Open(file, FileMode.Append));

@@ -3,23 +3,23 @@ using FootballPhysics.Netcode;
 
 namespace FootballPhysics.Network;
 
-/// <summary>What a packet is.</summary>
+/// <summary>The kind of a packet.</summary>
 public enum PacketKind : byte
 {
-    /// <summary>I want to play, and have this match hash.</summary>
+    /// <summary>A machine joins, with the hash of its match.</summary>
     Join,
 
-    /// <summary>Your match hash is another: another version, scene or step.</summary>
+    /// <summary>The receiver is rejected, because the hash of its match differs: another version, scene or step.</summary>
     Refuse,
 
-    /// <summary>The whole state: play on from here.</summary>
+    /// <summary>The complete state, from which the receiver continues.</summary>
     Welcome,
 
-    /// <summary>Inputs, and from the server the ball.</summary>
+    /// <summary>Inputs; from the server also the ball.</summary>
     Inputs,
 }
 
-/// <summary>Writes and reads packets. A packet says again all that the other side has not confirmed, so a lost one needs no answer.</summary>
+/// <summary>Writes and reads packets. A packet repeats all inputs that the receiver has not confirmed, so a lost packet needs no reply.</summary>
 public static class Packets
 {
     private const int HasKick = 1 << 15;
@@ -33,7 +33,7 @@ public static class Packets
         return memory.ToArray();
     }
 
-    /// <summary>Inputs of a team from one tick to another, that excluded: eleven bytes, then what changes: two bytes a tick where nothing does.</summary>
+    /// <summary>Writes the inputs of a team from one tick up to another, exclusive: eleven bytes at first, then the changes; two bytes for a tick without any.</summary>
     public static void WriteInputs(this BinaryWriter writer, Match match, int team, long from, long to)
     {
         byte[] last = TeamInput.Stand.Moves;
@@ -91,7 +91,7 @@ public static class Packets
         return (from, inputs);
     }
 
-    /// <summary>The whole state at a tick, to the last bit: the players and the ball.</summary>
+    /// <summary>Writes the complete, exact state at a tick: the players and the ball.</summary>
     public static void WriteState(this BinaryWriter writer, Match match, long tick, in BallState ball)
     {
         writer.Write(tick);

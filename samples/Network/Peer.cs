@@ -2,7 +2,7 @@ using FootballPhysics.Netcode;
 
 namespace FootballPhysics.Network;
 
-/// <summary>The three calls that a GGPO-like library makes of a game. In frames: a frame is a tick.</summary>
+/// <summary>The three calls that a GGPO-like library makes into a game. A frame is a tick.</summary>
 public interface IRollbackGame
 {
     long Frame { get; }
@@ -14,7 +14,7 @@ public interface IRollbackGame
     void Advance(TeamInput first, TeamInput second);
 }
 
-/// <summary>The match behind these calls: saved is the ball's state, a value, and where the players are.</summary>
+/// <summary>The match behind these calls. A saved state is the ball's state, which is a value, and the positions of the players.</summary>
 public sealed class MatchCallbacks(Match match) : IRollbackGame
 {
     private readonly BallState[] _saved = new BallState[Match.Kept];
@@ -37,12 +37,12 @@ public sealed class MatchCallbacks(Match match) : IRollbackGame
 }
 
 /// <summary>
-/// One of two equals, as in GGPO: each sends what its team does, plays on with a guess of the other's, and goes back where the guess was wrong. Nobody decides; both end at the same bits.
-/// It waits where the other is more than <see cref="MostAhead"/> ticks behind: so a match stands still while one is away.
+/// One of two equal peers, as in GGPO. Each sends the inputs of its team, guesses those of the other, and rolls back if a guess was wrong. There is no authority; both reach
+/// bit-identical states. A peer waits while the other is more than <see cref="MostAhead"/> ticks behind, so the match pauses while one is absent.
 /// </summary>
 public sealed class Peer(int team, int seed, HashLog hashes)
 {
-    /// <summary>What a team does counts so many ticks later: so much of the way is not seen as a correction.</summary>
+    /// <summary>The delay of a team's own inputs, in ticks. It hides as much of the network delay from corrections.</summary>
     private const int InputDelay = 3;
 
     private const int MostAhead = 60;
@@ -51,10 +51,10 @@ public sealed class Peer(int team, int seed, HashLog hashes)
     private readonly Brain _brain = new(team, seed);
     private readonly Dictionary<long, TeamInput> _theirs = [];
     private MatchCallbacks? _game;
-    private long _confirmed;    // the other's inputs before this tick are here
-    private long _otherHas;     // the other has ours before this tick
-    private long _decided;      // ours are decided before this tick
-    private long _final;        // states before this tick are final, and noted
+    private long _confirmed;    // the other's inputs before this tick are known
+    private long _otherHas;     // the other has our inputs before this tick
+    private long _decided;      // our inputs before this tick are decided
+    private long _final;        // states before this tick are final, and logged
     private bool _begun;
     private long _joinAt = -1;
     private long _theirGuesses;
@@ -73,7 +73,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
             wrong = Earlier(wrong, Read(packet));
         }
 
-        // The first of the two is there from the start; the second asks to be let in.
+        // The first peer starts the match; the second sends requests to join.
         if (_game is null && team == 1)
         {
             return now % 10 == 0 ? [Packets.Of(PacketKind.Join, writer => writer.Write(_match.Runner.SessionHash))] : [];
@@ -105,7 +105,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
 
     private void Play(long now)
     {
-        // Both are to guess as far: who guesses farther ahead waits a tick now and then.
+        // Both peers should guess equally far ahead: the one that guesses farther sometimes waits a tick.
         long guesses = _game!.Frame - _confirmed;
         bool isAhead = guesses - _theirGuesses > 4 && now % 10 == 0;
         if (isAhead || guesses >= MostAhead || (!_begun && team == 0))
@@ -124,7 +124,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         Step();
     }
 
-    /// <summary>What every GGPO-like loop does: load, and advance to where it was.</summary>
+    /// <summary>Replays from a wrong guess, as every GGPO-like loop does: loads its frame, and advances to the current one.</summary>
     private void PlayAgain(long? wrong)
     {
         if (wrong is not { } from || from >= _game!.Frame)
@@ -152,14 +152,14 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         _theirs.Remove(tick - Match.Kept);
     }
 
-    /// <summary>Takes what has come; the first tick that was guessed wrongly.</summary>
+    /// <summary>Reads a packet. Returns the first tick that was guessed wrongly; null if there is none.</summary>
     private long? Read(byte[] packet)
     {
         using var reader = new BinaryReader(new MemoryStream(packet));
         switch ((PacketKind)reader.ReadByte())
         {
             case PacketKind.Join when _game is not null && reader.ReadUInt64() == _match.Runner.SessionHash:
-                // Who joins begins where both teams' inputs end that are known: nothing before it changes any more.
+                // A peer that joins begins at the end of the known inputs of both teams: nothing before that tick changes.
                 _joinAt = _joinAt < 0 ? Math.Min(_confirmed, _game.Frame) : _joinAt;
                 _begun = true;
                 return null;
@@ -187,7 +187,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         (long from, TeamInput[] inputs) = reader.ReadInputs();
         if (_joinAt >= 0 && confirmed != _joinAt)
         {
-            return null;    // from who was there before
+            return null;    // from the peer that was there before
         }
 
         _otherHas = _joinAt >= 0 ? confirmed : Math.Max(_otherHas, confirmed);

@@ -2,7 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using FootballPhysics.Network;
 
-// demo: both processes and the relay between them. relay, server, client, peer: one of them, to be started by hand in terminals of their own. README.md has the lines.
+// demo runs both processes and the relay between them. relay, server, client and peer each run one of them, to start by hand in separate terminals. README.md has the lines.
 CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
 try
 {
@@ -14,7 +14,7 @@ catch (ArgumentException wrong)
     return 2;
 }
 
-/// <summary>What one process is.</summary>
+/// <summary>The modes of a process.</summary>
 internal static class Modes
 {
     public static int Run(string mode, Options options)
@@ -104,7 +104,7 @@ internal sealed class Options
         : throw new ArgumentException($"{name} is {text}; allowed: a number from 0 to 1e9.");
 }
 
-/// <summary>Two processes and a bad network between them; one is killed in the middle, and comes back.</summary>
+/// <summary>Runs two processes with a bad network between them. One is killed in the middle, and joins again.</summary>
 internal static class Demo
 {
     public static Relay NewRelay(Options options) =>
@@ -132,7 +132,7 @@ internal static class Demo
         string refused = "";
         if (style == "server")
         {
-            // Who has another version of the game is told so before he plays.
+            // The server rejects a client with another version of the game before it plays.
             using Process stranger = Start(1, "--other-version yes");
             relay.Await(1);
             relay.Run(90, speed);

@@ -4,15 +4,15 @@ using System.Net.Sockets;
 
 namespace FootballPhysics.Network;
 
-/// <summary>How bad the network is.</summary>
-/// <param name="Delay">From one machine to the other, ms.</param>
-/// <param name="Jitter">Up to so much more, each packet by lot, ms: packets overtake one another.</param>
-/// <param name="Loss">Share of the packets that are lost.</param>
+/// <summary>The quality of the network.</summary>
+/// <param name="Delay">The delay from one machine to the other, ms.</param>
+/// <param name="Jitter">The maximum additional delay, random for each packet, ms. It lets packets overtake one another.</param>
+/// <param name="Loss">The share of the packets that are lost, 0 … 1.</param>
 public sealed record Weather(double Delay, double Jitter, double Loss);
 
 /// <summary>
-/// The network between two machines, and their clock. It tells both each tick with the packets that are due, over UDP, and takes what they send: later, out of order, or not at all.
-/// With its clock ten minutes of a match take what two processors need for them; a speed of 1 is real time.
+/// The network between two machines, and their clock. At each tick, it sends both the packets that are due, over UDP, and receives theirs, which it delays, reorders or drops.
+/// Its clock lets ten minutes of a match take only the time that two processors need for them; a speed of 1 is real time.
 /// </summary>
 public sealed class Relay : IDisposable
 {
@@ -42,14 +42,14 @@ public sealed class Relay : IDisposable
 
     public int Sent { get; private set; }
 
-    /// <summary>Bytes that each side has sent, without the headers of UDP and IP (28 a packet).</summary>
+    /// <summary>The number of bytes that each side has sent, without the headers of UDP and IP (28 per packet).</summary>
     public long[] Bytes { get; } = new long[Sides];
 
     public int Lost { get; private set; }
 
     public int Overtaken { get; private set; }
 
-    /// <summary>Waits until a side has said hello.</summary>
+    /// <summary>Waits until a side has sent its first packet.</summary>
     public void Await(int side)
     {
         while (_sides[side] is null)
@@ -58,16 +58,16 @@ public sealed class Relay : IDisposable
         }
     }
 
-    /// <summary>A side is gone, and what was on its way to it.</summary>
+    /// <summary>Removes a side, and the packets on the way to it.</summary>
     public void Forget(int side)
     {
         _sides[side] = null;
         _waiting[side].Clear();
     }
 
-    /// <summary>Plays the clock up to a tick.</summary>
+    /// <summary>Runs the clock up to a tick.</summary>
     /// <param name="tick">The tick.</param>
-    /// <param name="speed">Times as fast as real time; 0 as fast as both can.</param>
+    /// <param name="speed">The speed relative to real time; 0 for as fast as possible.</param>
     public void Run(long tick, double speed)
     {
         var watch = Stopwatch.StartNew();
@@ -79,7 +79,7 @@ public sealed class Relay : IDisposable
                 Send(side, Tick, Due(side));
             }
 
-            // Both at once; but lots are drawn in one order, so that a match with the same seed is the same.
+            // Wait for both in any order, but draw the random numbers in a fixed order, so that a seed reproduces a match.
             byte[][]?[] sent = [_sides[0] is null ? [] : null, _sides[1] is null ? [] : null];
             while (sent.Contains(null))
             {
@@ -106,7 +106,7 @@ public sealed class Relay : IDisposable
         }
     }
 
-    /// <summary>The match is over for a side.</summary>
+    /// <summary>Ends the match for a side.</summary>
     public void Stop(int side)
     {
         Send(side, End, []);
@@ -115,7 +115,7 @@ public sealed class Relay : IDisposable
 
     public void Dispose() => _socket.Dispose();
 
-    /// <summary>One datagram: what it is, the tick, and packets in it.</summary>
+    /// <summary>Returns a datagram: its kind, the tick, and packets.</summary>
     internal static byte[] Frame(byte kind, long tick, IReadOnlyList<byte[]> packets)
     {
         using var memory = new MemoryStream();
@@ -195,10 +195,10 @@ public sealed class Relay : IDisposable
     }
 }
 
-/// <summary>A machine's end of it: calls the game once a tick with what has come, and sends what the game answers.</summary>
+/// <summary>A machine's end of the network: calls the game once per tick with the received packets, and sends the packets that the game returns.</summary>
 public static class Link
 {
-    /// <summary>Plays until the relay says that it is over.</summary>
+    /// <summary>Plays until the relay ends the match.</summary>
     public static void Run(int port, int side, Func<long, byte[][], IReadOnlyList<byte[]>> tick)
     {
         using var socket = new UdpClient();

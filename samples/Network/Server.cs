@@ -3,20 +3,20 @@ using FootballPhysics.Netcode;
 namespace FootballPhysics.Network;
 
 /// <summary>
-/// Decides what happened. It never goes back: what has not come in time has not been done, and everybody is told what was. It plays a team, so that there is a match.
+/// The authority of the match. It never rolls back: it replaces late inputs by guesses, and sends the inputs that it used to the client. It plays a team itself, as an opponent.
 /// </summary>
 public sealed class Server(int seed, HashLog hashes)
 {
-    /// <summary>A packet to the client every so many ticks.</summary>
+    /// <summary>The number of ticks between two packets to the client.</summary>
     private const int SendEvery = 2;
 
-    /// <summary>A client that says nothing for so many ticks is gone: its players stop.</summary>
+    /// <summary>The number of ticks without a packet after which a client counts as absent: its players stop.</summary>
     private const int Silence = 60;
 
     private readonly Match _match = new();
     private readonly Brain _brain = new(team: 0, seed);
-    private long _received;     // inputs of the client before this tick are here
-    private long _confirmed;    // the client has everything before this tick
+    private long _received;     // inputs of the client before this tick are known
+    private long _confirmed;    // the client has all inputs before this tick
     private long _heard = -1;
     private long _spare;
     private bool _joins;
@@ -28,7 +28,7 @@ public sealed class Server(int seed, HashLog hashes)
 
     public int Strips { get; private set; }
 
-    /// <summary>Balls in 24 bytes, and in all of a snapshot.</summary>
+    /// <summary>The number of balls sent in 24 bytes.</summary>
     public int Short { get; private set; }
 
     public int Whole { get; private set; }
@@ -56,7 +56,7 @@ public sealed class Server(int seed, HashLog hashes)
         hashes.Add(_match.Tick, Snapshot.Hash(_match.Runner.State));
         if (_match.Tick % Match.WireTicks == 0)
         {
-            // The ball as it is at this tick, in 24 bytes; in a net, or between two feet, it takes the whole snapshot.
+            // Send the ball at this tick in 24 bytes. In a net, or between two feet, it needs a complete snapshot.
             BallState ball = _match.Runner.State;
             _ball = new byte[Snapshot.QuantizedSize];
             Short++;
@@ -142,7 +142,7 @@ public sealed class Server(int seed, HashLog hashes)
         _spare = from + inputs.Length - _match.Tick;
     }
 
-    /// <summary>A kick counts where the ball is within reach here.</summary>
+    /// <summary>Removes a kick if the ball is not within reach on the server.</summary>
     private TeamInput Checked(TeamInput input, long tick)
     {
         if (input.Kick is not { } kick || _match.CanKick(kick.Player, _match.Runner.State, tick))

@@ -1,5 +1,5 @@
 """A free kick over a wall with pygame and the Python package. Aim with the mouse. A and D change the sidespin, W and S the topspin.
-Hold the mouse button for power, and let go to kick. R puts the ball back. Needs the wheel of football_physics and Debian's python3-pygame.
+Hold the mouse button for power, and release it to kick. R resets the ball. Needs the wheel of football_physics and Debian's python3-pygame.
 
     python3 samples/Pygame/free_kick.py                        play
     python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash 413ea67789e2e52a

@@ -1,9 +1,9 @@
-// The game without its picture: a free kick over players who jump. Page, golden hash and C# play the same.
+// The game without its picture: a free kick over players who jump. The page, the golden hash and the C# test play the same game.
 export const TIME_STEP = 1 / 120;
 
 const WALL_DISTANCE = 9.15, STANDING = 0.9;
 
-/** The players jump when the ball is kicked: 0.45 m high, 0.6 s long. Returns where they are. */
+/** Places the players, who jump when the ball is kicked: 0.45 m high, 0.6 s long. Returns their positions. */
 export function placeWall(bodies, time) {
   const jumps = time < 0.6, velocity = [0, jumps ? 3 - 10 * time : 0, 0];
   return bodies.map((body, i) => {
@@ -21,7 +21,7 @@ export class Game {
     this.reset();
   }
 
-  // The ball on its spot, the players on their feet.
+  // Puts the ball on its spot, and the players on their feet.
   reset() {
     this.ball.place([0, this.scene.radius, 0]);
     this.moveWall(0.6);
@@ -32,7 +32,7 @@ export class Game {
     this.ball.kick(kick);
   }
 
-  // The path of a kick that is not kicked, past players who stand: rows t, x, y, z.
+  // Returns the path of a kick without kicking, past players who stand still: rows t, x, y, z.
   path(kick) {
     this.kick(kick);
     const path = this.ball.lookAhead(1.25, 65, { timeStep: TIME_STEP });
@@ -42,7 +42,7 @@ export class Game {
 
   moveWall(time) { this.wall = placeWall(this.scene.bodies, time); }
 
-  // One step: the wall, the ball. Returns the events.
+  // Steps the players and the ball. Returns the events.
   step() {
     this.moveWall(this.ball.time);
     this.ball.step(TIME_STEP);

@@ -1,4 +1,4 @@
-// A free kick with three.js. Arrow keys aim, space kicks.
+// A free kick with three.js. The arrow keys aim, and the space bar kicks.
 import { load, loadWorker } from "football-physics";
 import { Game, placeWall, TIME_STEP } from "./game.js";
 import { Picture } from "./picture.js";
@@ -25,7 +25,7 @@ function ready() {
   describe();
 }
 
-// All kicks of scene.json: events and hashes, as in golden.txt. One picture in between.
+// Plays all kicks of scene.json, with events and hashes as in golden.txt, and takes one picture in between.
 async function show() {
   const lines = [];
   let png = "";
@@ -44,7 +44,7 @@ async function show() {
   await fetch("result", { method: "POST", body: JSON.stringify({ lines, png, firstBall, inWorker: await playInWorker() }) });
 }
 
-// The last kick once more, with the library in a worker: a message per step. Returns the hash.
+// Repeats the last kick with the library in a worker: one message per step. Returns the hash.
 async function playInWorker() {
   const worker = await loadWorker(), scene = await worker.scene(file.scene), ball = await scene.ball();
   await ball.place([0, scene.radius, 0]);

@@ -1,4 +1,4 @@
-// The picture: pitch, goal, wall, ball and the path ahead, from what the scene says of itself.
+// Draws the pitch, goal, wall, ball and predicted path from the description of the scene.
 import * as THREE from "three";
 
 export class Picture {
@@ -45,7 +45,7 @@ export class Picture {
     }
   }
 
-  // Posts are rods; nets are meshes between four corners; markings are lines.
+  // Draws a shape. Posts are rods; nets are meshes between four corners; markings are lines.
   shape({ kind, lines, faces, radius }) {
     if (kind === "frame") {
       for (const [x, y, z, toX, toY, toZ] of lines) {
@@ -68,7 +68,7 @@ export class Picture {
     }
   }
 
-  // Rows t, x, y, z of a look-ahead.
+  // Draws the rows t, x, y, z of a look-ahead.
   path(rows) {
     const points = new Float32Array(rows.length / 4 * 3);
     for (let i = 0; i < rows.length / 4; i++) points.set(rows.subarray(4 * i + 1, 4 * i + 4), 3 * i);

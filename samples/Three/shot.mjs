@@ -22,7 +22,7 @@ const result = await new Promise((done, failed) => {
   }, failed);
 }).finally(() => {
   clearTimeout(timer);
-  // The program may be a script that starts the browser: end all of its group.
+  // The program may be a script that starts the browser, so end its entire process group.
   try { process.kill(-chromium.pid); } catch { /* It has ended. */ }
 });
 await new Promise(done => chromium.exitCode === null && chromium.signalCode === null ? chromium.on("close", done) : done());

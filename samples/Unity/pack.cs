@@ -2,7 +2,7 @@
 #:property RestorePackagesWithLockFile=false
 #:property NoWarn=$(NoWarn);CS1591;CA1852
 
-// Builds the library and its part for engines for Unity, puts them into the package's Plugins and packs the package for the package manager. It needs the .NET SDK alone.
+// Builds the library and its engine part for Unity, puts them into the package's Plugins, and packs the package for the package manager. It needs only the .NET SDK.
 //   dotnet run samples/Unity/pack.cs [DIR]                  the .tgz in DIR (default out)
 //   dotnet run samples/Unity/pack.cs --branch NAME          the built package as the only content of a git branch, for Unity's "Install package from git URL"
 // FOOTBALL_ADDRESS=https://… is the address of the repository's pages, for the links of the package manager; default the address of "origin".
@@ -22,7 +22,7 @@ if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0
 
 foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines"])
 {
-    // Not on the standard output: that has only the path of the tarball.
+    // Write to the error stream: the standard output contains only the path of the tarball.
     Console.Error.WriteLine($"Building {part}");
     Run("dotnet", ["build", "-c", "Release", "-f", "netstandard2.1", Path.Combine(root, "src", part), "-v", "q"]);
     foreach (string kind in (string[])["dll", "xml"])
@@ -45,7 +45,7 @@ else
 
 return 0;
 
-// A tarball of the package manager has everything below "package/"; the same bytes for the same files.
+// Writes a tarball for the package manager, with all files under "package/". Equal files give equal bytes.
 void WriteTarball(string directory)
 {
     Directory.CreateDirectory(directory);
@@ -68,7 +68,7 @@ void WriteTarball(string directory)
     Console.WriteLine(path);
 }
 
-// The commit is made of the package alone, without the work tree or the index of the repository; no commit if the package is that of the branch already.
+// Commits only the package, without the work tree or the index of the repository. If the branch already has this package, makes no commit.
 void WriteBranch(string name)
 {
     string reference = "refs/heads/" + name;
@@ -78,7 +78,7 @@ void WriteBranch(string name)
         tree.Append("100644 blob ").Append(Git(["hash-object", "-w", "--stdin"], Content(file))).Append('\t').Append(file).Append('\n');
     }
 
-    // An index of its own; mktree takes one level only.
+    // Use a separate index; mktree takes only one level.
     string index = Path.GetTempFileName();
     File.Delete(index);
     Environment.SetEnvironmentVariable("GIT_INDEX_FILE", index);
@@ -101,7 +101,7 @@ void WriteBranch(string name)
 
 byte[] Content(string file) => file == "package.json" ? Encoding.UTF8.GetBytes(manifest) : File.ReadAllBytes(Path.Combine(package, file));
 
-// Links need an address; if the repository has none, the package manager opens the files in the package.
+// Returns the text with absolute links, which need an address. Without an address, the package manager opens the files in the package.
 string WithLinks(string text)
 {
     string address = Environment.GetEnvironmentVariable("FOOTBALL_ADDRESS") ?? Git(["config", "--default", "", "--get", "remote.origin.url"]);
@@ -112,7 +112,7 @@ string WithLinks(string text)
         return text;
     }
 
-    // Without a name and password that a clone may have in its address.
+    // Leave out the name and password that the address of a clone may contain.
     string pages = $"{parts.Groups[1].Value}://{parts.Groups[2].Value}/blob/HEAD/samples/Unity/com.football.physics";
     string links = $"  \"documentationUrl\": \"{pages}/Documentation~/index.md\",\n  \"changelogUrl\": \"{pages}/CHANGELOG.md\",\n  \"licensesUrl\": \"{pages}/LICENSE.md\",\n";
     return text.Replace("  \"license\":", links + "  \"license\":");

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same with Dask: one task per shard, on workers that share the folder.
+"""Runs the sweep with Dask: one task per shard, on workers that share the folder.
 
   ./dask_sweep.py tcp://HOST:8786 [SHARDS]     default 16
 
@@ -34,7 +34,7 @@ def run(arguments):
 def main():
     shards = int(sys.argv[2]) if len(sys.argv) > 2 else 16
     with Client(sys.argv[1]) as client:
-        # Another shard may share the fate of the first, hence several retries.
+        # Retry several times: a worker that dies may take several shards with it.
         tasks = client.map(run, [command(i, shards) for i in range(1, shards + 1)], pure=False, retries=3)
         for _, said in as_completed(tasks, with_results=True):
             print(said, flush=True)

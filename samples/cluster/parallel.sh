@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The same with GNU parallel, on one machine or with --sshlogin on several that share the folder:
+# Runs the sweep with GNU parallel, on one machine or with --sshlogin on several that share the folder:
 #   ./parallel.sh 16
-# One thread a shard, as many shards at a time as there are processors. A shard that failed is tried twice more; the whole can be run again.
+# Each shard uses one thread, and each processor runs one shard at a time. A failed shard is retried twice. You can repeat the command.
 set -euo pipefail
 export SHARDS=${1:-16}
 

@@ -3,7 +3,7 @@
 #   sbatch sweep.sh                                       16 shards of a million rows into ./rows
 #   COUNT=1000000000 sbatch --array=1-1000 sweep.sh       other sizes
 #   football sweep merge rows                             when all tasks have ended
-# A task that was preempted, killed or requeued runs the same line again: it goes on where it was, and a shard that is done is left alone.
+# A task that was preempted, killed or requeued runs the same line again. It resumes its shard, and skips a finished one.
 #SBATCH --job-name=sweep
 #SBATCH --array=1-16
 #SBATCH --ntasks=1

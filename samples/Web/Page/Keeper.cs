@@ -1,13 +1,13 @@
 using FootballPhysics.Prediction;
 using FootballPhysics.Shapes;
 
-/// <summary>A goalkeeper: two bodies (trunk and gloves), and one dive towards the point at which the library predicts the ball on the goal line.</summary>
+/// <summary>A goalkeeper of two bodies (trunk and gloves). He dives once, towards the point at which the library predicts the ball on the goal line.</summary>
 internal sealed class Keeper
 {
-    /// <summary>From his feet to his gloves when he is stretched, m.</summary>
+    /// <summary>The distance from his feet to his gloves when he is stretched, m.</summary>
     private const double Length = 2.2;
 
-    /// <summary>From his feet to his shoulders, m.</summary>
+    /// <summary>The distance from his feet to his shoulders, m.</summary>
     private const double Shoulders = 1.4;
 
     private readonly Player _player;
@@ -21,10 +21,10 @@ internal sealed class Keeper
     private double _from = double.PositiveInfinity;
     private double _until = double.PositiveInfinity;
 
-    /// <summary>A goalkeeper in the middle of a goal, half a metre before its line.</summary>
+    /// <summary>Creates a goalkeeper at the centre of a goal, half a metre in front of its line.</summary>
     /// <param name="goal">The goal.</param>
-    /// <param name="reaction">How long he takes to react, s.</param>
-    /// <param name="speed">How fast his gloves get, m/s.</param>
+    /// <param name="reaction">His reaction time, s.</param>
+    /// <param name="speed">The top speed of his gloves, m/s.</param>
     public Keeper(Goal goal, double reaction, double speed)
     {
         _goal = goal;
@@ -39,10 +39,10 @@ internal sealed class Keeper
     /// <summary>The bodies of the goalkeeper, for the scene.</summary>
     public KinematicBodies Bodies { get; } = [];
 
-    /// <summary>The library's answer to the shot he dives for.</summary>
+    /// <summary>The result of the library's search for a save.</summary>
     public KeeperResult Answer { get; private set; }
 
-    /// <summary>Sees a shot, and makes up his mind.</summary>
+    /// <summary>Watches a shot, and plans his dive.</summary>
     /// <param name="path">The path of the ball without the goalkeeper.</param>
     public void Watch(Trajectory path)
     {
@@ -51,13 +51,13 @@ internal sealed class Keeper
         double aside = Answer.Crossing.Position.X - _feet.X;
         if (!Answer.Crosses || Math.Abs(aside) > (0.5 * _goal.Width) + 1 || Answer.Crossing.Position.Y > _goal.Height + 0.8)
         {
-            return;                                        // he lets it go
+            return;                                        // no dive: the shot is wide or high
         }
 
         _from = path.StartTime + _player.Reaction;
         _until = Math.Max(Answer.Crossing.Time, _from + 0.25);
 
-        // To the crossing if he gets there in time, otherwise as far as he can reach.
+        // Dive to the crossing if he gets there in time, otherwise as far as he can reach.
         double covers = Math.Max(Math.Abs(Answer.ReachLeft), Math.Abs(Answer.ReachRight)) - _player.Reach;
         double share = Answer.Saves ? 1 : Math.Clamp(covers / Math.Max(Math.Abs(aside), 1e-9), 0.2, 0.9);
         var target = new Vector3d(Answer.Crossing.Position.X, Math.Max(0.15, Answer.Crossing.Position.Y), _feet.Z - 0.1);
@@ -65,7 +65,7 @@ internal sealed class Keeper
         _landing = new Vector3d(_reached.X, Math.Min(_reached.Y, 0.25), _reached.Z);
     }
 
-    /// <summary>Puts him where he is at a time, before a step that begins then.</summary>
+    /// <summary>Moves his bodies to their pose at a time. Call it before the step that begins at that time.</summary>
     public void MoveTo(double time)
     {
         const double moment = 1e-4;
@@ -81,7 +81,7 @@ internal sealed class Keeper
         _gloves.MoveTo(gloves, (glovesNext - gloves) / moment, time);
     }
 
-    /// <summary>Feet, shoulders and gloves at a time.</summary>
+    /// <summary>Returns the positions of feet, shoulders and gloves at a time.</summary>
     public (Vector3d Feet, Vector3d Shoulders, Vector3d Gloves) At(double time)
     {
         double dived = Math.Clamp((time - _from) / (_until - _from), 0, 1);
@@ -89,7 +89,7 @@ internal sealed class Keeper
         Vector3d gloves = double.IsPositiveInfinity(_from) || dived <= 0 ? _ready
             : Vector3d.Lerp(Vector3d.Lerp(_ready, _reached, dived * (2 - dived)), _landing, fallen * fallen);
 
-        // He leans as far as his gloves are aside; what lean does not give, his feet do.
+        // He leans towards his gloves. If leaning is not enough, his feet move aside.
         double aside = gloves.X - _feet.X;
         double lean = Math.Clamp(aside / Length, -0.97, 0.97);
         double height = Math.Sqrt(1 - (lean * lean));

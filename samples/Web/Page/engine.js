@@ -1,9 +1,9 @@
-// Calls the game in its worker; each answer is a promise, undefined where a newer call took its place.
+// Calls the game in its worker. Each call returns a promise, which is undefined if a newer call replaced it.
 class Engine {
   static async start() {
     const packed = JSON.parse(document.getElementById("resources").textContent), files = {};
     await Promise.all(Object.entries(packed).map(async ([name, text]) => {
-      // A loop: Uint8Array.from takes ten times as long, a part of a second in all.
+      // Use a loop: Uint8Array.from takes ten times as long, a noticeable part of a second in total.
       const letters = atob(text), bytes = new Uint8Array(letters.length);
       for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
       files[name] = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();

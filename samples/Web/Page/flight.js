@@ -1,4 +1,4 @@
-// A moving ball. It is simulated ahead of the display, and passed to the page in rows of numbers, which begin with their kind.
+// A moving ball. The worker simulates it ahead of the display, and passes it to the page in rows of numbers, which begin with their kind.
 const ROW = { key: 0, event: 1, keeper: 2, bulge: 3 };
 
 class Flight {
@@ -13,25 +13,25 @@ class Flight {
     this.rows = [];
     this.ball.kick(velocity, spin);
     this.key(this.ball, this.ball.velocity, this.ball.orientation);
-    this.tellKeeper();
+    this.writeKeeper();
   }
 
   get isOver() { return this.ball.motion === "rest" || this.ball.time >= LONGEST; }
 
-  // Goes on for a while; the rows that there are.
+  // Simulates some more seconds, and returns the new rows.
   advance(seconds) {
     const { ball } = this, until = ball.time + seconds;
     while (ball.time < until && !this.isOver) {
       if (this.keeper) this.keeper.moveTo(ball.time, this.scene.bodies);
       ball.step(TIME_STEP);
       for (const e of ball.events) {
-        // Events within the step, with the ball's orientation at their time.
+        // Add the events within the step, with the ball's orientation at their time.
         this.key(e, e.velocityBefore, e.time < ball.time ? turned(this.last.orientation, this.last.spin, e.time - this.last.time) : ball.orientation);
         this.rows.push(ROW.event, KINDS.indexOf(e.kind), e.collider, e.time, ...e.position, size(e.velocityBefore), size(e.velocity));
       }
       this.key(ball, ball.velocity, ball.orientation);
-      this.tellKeeper();
-      this.tellNets();
+      this.writeKeeper();
+      this.writeNets();
     }
     return Float64Array.from(this.rows.splice(0));
   }
@@ -41,13 +41,13 @@ class Flight {
     this.rows.push(ROW.key, time, ...position, ...before, ...velocity, ...spin, ...orientation, MOTIONS.indexOf(this.ball.motion));
   }
 
-  tellKeeper() {
+  writeKeeper() {
     if (!this.keeper) return;
     const { feet, shoulders, gloves } = this.keeper.at(this.ball.time);
     this.rows.push(ROW.keeper, this.ball.time, ...feet, ...shoulders, ...gloves);
   }
 
-  tellNets() {
+  writeNets() {
     this.ball.bulges().forEach(({ depth, position, direction }, net) => {
       const moves = depth > 0.005;
       if (moves || this.moving[net]) this.rows.push(ROW.bulge, this.ball.time, net, depth, ...position, ...direction);
@@ -56,7 +56,7 @@ class Flight {
   }
 }
 
-// A rotation [x, y, z, w] after a spin for a time.
+// Rotates an orientation [x, y, z, w] by a spin during a time.
 function turned(q, spin, time) {
   const angle = size(spin) * time;
   if (!(angle > 0)) return q;

@@ -1,4 +1,4 @@
-// A ball under way: what the library tells of it, in rows, as a track that is drawn while it still grows.
+// A ball in flight: collects the rows of the library in a track, which is drawn while it still grows.
 const ROWS = [19, 9, 11, 10];
 const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed", "enterZone", "exitZone"];
 
@@ -7,11 +7,11 @@ class Flown {
     Object.assign(this, { number, colour, radius, events: [], keeper: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
   }
 
-  // What there is of it so far, s.
+  // The end of the track so far, s.
   get end() { return this.keys.length > 0 ? this.keys[this.keys.length - 1].t : 0; }
 
-  take(told, nameOf) {
-    const rows = Array.from(told);
+  take(numbers, nameOf) {
+    const rows = Array.from(numbers);
     for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
       const row = rows.slice(i + 1, i + ROWS[rows[i]]);
       switch (rows[i]) {
@@ -31,7 +31,7 @@ class Flown {
     this.track = new Track({ keys: this.keys });
   }
 
-  // At one instant there is one key, whose velocities before and after differ.
+  // Adds a key. There is one key per instant; at an event, its velocities before and after differ.
   key(key) {
     const last = this.keys[this.keys.length - 1];
     if (last && key.t - last.t < 1e-9) {
@@ -49,7 +49,7 @@ class Flown {
 
   first(...kinds) { return this.events.find(e => kinds.includes(e.kind)); }
 
-  // The sentence that a spectator would say, as soon as it is clear.
+  // Returns the result of the shot in a few words, as soon as it is clear.
   verdict(t) {
     const seen = this.events.filter(e => e.time <= t);
     const goal = seen.find(e => e.kind === "goal");

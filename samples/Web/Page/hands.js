@@ -1,4 +1,4 @@
-// What hands do: pull back and let go, drag the little ball, move sliders, press keys.
+// The user's input: pulls back and releases the ball, drags the small ball, moves sliders, presses keys.
 
 // ---- pulling back
 
@@ -22,7 +22,7 @@ function drawPull() {
     g.fillStyle = `hsl(${120 - 120 * clamp(share, 0, 1)}, 90%, 50%)`;
     g.fill();
     g.stroke();
-    // Beside the handle, on the side to which the line does not lead.
+    // Write next to the handle, on the side away from the line.
     const text = `${(3.6 * set.speed).toFixed(0)} km/h`, left = x < 0;
     g.font = "700 16px system-ui, sans-serif";
     g.textAlign = left ? "right" : "left";
@@ -44,9 +44,9 @@ function drawPull() {
   }
 }
 
-// Straight back is straight ahead, as the camera looks; aside turns, by as much as the goal is wide at a full pull.
+// Sets the kick from a pull. A pull straight back kicks straight ahead, as the camera looks. A pull to the side turns the kick, at a full pull by the width of the goal.
 function pulled(x, y) {
-  // A full pull ends above the panels at the foot of the page.
+  // Let a full pull end above the panels at the bottom of the page.
   const room = floor() - ballOnScreen()[1] - 14;
   const full = Math.max(60, Math.min(FULL_PULL * Math.min(camera.height, camera.width * 1.5), room)), length = Math.hypot(x, y);
   pull.now = length > full ? [x * full / length, y * full / length] : [x, y];
@@ -58,13 +58,13 @@ function pulled(x, y) {
   lookAhead();
 }
 
-// The upper edge of the panels at the foot of the page.
+// Returns the upper edge of the panels at the bottom of the page.
 function floor() {
   const folded = $("fold").getAttribute("aria-expanded") === "false";
   return Math.min(...[$("bar"), ...(camera.width <= 720 && folded ? [$("panel")] : [])].map(e => e.getBoundingClientRect().top));
 }
 
-// The point of the goal's plane under a pixel; null beside the goal.
+// Returns the point of the goal's plane under a pixel; null if it is not near the goal.
 function inGoal(x, y) {
   if (!stage.picture) return null;
   const goal = stage.picture.goals[0].center, p = camera.onPlane(x, y, goal[2]);
@@ -79,7 +79,7 @@ canvas.addEventListener("pointerdown", e => {
   if (e.isPrimary === false) return;
   touch = e.pointerType === "touch";
   canvas.setPointerCapture(e.pointerId);
-  // By the camera that the visitor sees; ready() may move it.
+  // Use the camera that the user sees: ready() may move it.
   const goal = inGoal(e.clientX, e.clientY);
   if (flights.length > 0 && !playing) { ready(); }
   const s = flights.length === 0 && ballOnScreen();
@@ -120,7 +120,7 @@ canvas.addEventListener("pointerup", e => {
 canvas.addEventListener("pointercancel", () => { pressed = pull = null; dirty = true; });
 canvas.addEventListener("wheel", e => { e.preventDefault(); change("elevation", e.deltaY < 0 ? 0.5 : -0.5); }, { passive: false });
 
-// ---- the little ball: where the foot meets it
+// ---- the small ball: the point that the foot hits
 
 function drawStrike() {
   const c = $("strike").firstElementChild, g = c.getContext("2d");
@@ -142,7 +142,7 @@ function drawStrike() {
   g.stroke();
 }
 
-// Struck on its right side a ball turns to the left; struck below its middle it gets backspin.
+// A hit on the right side makes the ball bend to the left; a hit below the centre gives it backspin.
 const strike = e => {
   const box = $("strike").getBoundingClientRect(), x = (e.clientX - box.left - 46) / 36, y = (46 - (e.clientY - box.top)) / 36;
   const d = Math.max(1, Math.hypot(x, y));
@@ -195,7 +195,7 @@ async function copied(text, words) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    // A page from disk may not be allowed to; an old way is.
+    // A page that is opened from disk may lack the permission; use the old method.
     const area = Object.assign(document.createElement("textarea"), { value: text });
     document.body.append(area);
     area.select();
@@ -217,13 +217,13 @@ $("theme").addEventListener("click", toggleTheme);
 function retheme() { stage.theme(); dirty = true; }
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
 
-// In a worker of its own, so that the page can be played meanwhile.
+// Use another worker, so that the page stays playable.
 $("bits").addEventListener("click", async () => {
   const begun = performance.now(), said = words => { $("bitsSaid").textContent = words; $("bitsSaid").scrollIntoView({ block: "nearest" }); };
-  const tell = () => said(`Playing the golden kicks and games … ${((performance.now() - begun) / 1000).toFixed(0)} s. You can play on.`);
+  const report = () => said(`Playing the golden kicks and games … ${((performance.now() - begun) / 1000).toFixed(0)} s. You can play on.`);
   $("bits").disabled = true;
-  tell();
-  const clock = setInterval(tell, 1000);
+  report();
+  const clock = setInterval(report, 1000);
   let other = null;
   try {
     other = await Engine.start();
@@ -260,5 +260,5 @@ document.addEventListener("keydown", e => {
 window.addEventListener("resize", () => { stage.resize(); look(); });
 window.addEventListener("hashchange", () => { readAddress(); if (engine) scene(); });
 
-// For whoever checks the page: what is set, the way ahead, and what flies.
+// For tests of the page: the settings, the predicted path, and the balls in flight.
 globalThis.playground = { set, stage, get flights() { return flights; }, get way() { return stage.way; }, get time() { return time; }, get playing() { return playing; } };

@@ -1,4 +1,4 @@
-// A goalkeeper: two bodies (trunk and gloves), and one dive towards the point at which the library predicts the ball on the goal line. Keeper.cs is the same in C#.
+// A goalkeeper of two bodies (trunk and gloves). He dives once, towards the point at which the library predicts the ball on the goal line. Keeper.cs is the same in C#.
 const KEEPER_LENGTH = 2.2, SHOULDERS = 1.4, MOMENT = 1e-4;
 const KEEPER_BODIES = [
   { name: "keeper", shape: "capsule", from: [0, -0.6, 0], to: [0, 0.6, 0], radius: 0.2, surface: { material: "boot" } },
@@ -13,20 +13,20 @@ class Keeper {
     this.from = this.until = Infinity;
   }
 
-  // Sees the predicted path of a ball, and makes up his mind.
+  // Watches the predicted path of a ball, and plans his dive.
   watch(ball) {
     const answer = this.answer = ball.keeper(this.player), aside = answer.position[0] - this.feet[0];
-    if (!answer.crosses || Math.abs(aside) > 0.5 * 7.32 + 1 || answer.position[1] > 2.44 + 0.8) return; // he lets it go
+    if (!answer.crosses || Math.abs(aside) > 0.5 * 7.32 + 1 || answer.position[1] > 2.44 + 0.8) return; // no dive: the shot is wide or high
     this.from = ball.time + this.player.reaction;
     this.until = Math.max(answer.time, this.from + 0.25);
-    // To the crossing if he gets there in time, otherwise as far as he can reach.
+    // Dive to the crossing if he gets there in time, otherwise as far as he can reach.
     const covers = Math.max(Math.abs(answer.reachLeft), Math.abs(answer.reachRight)) - this.player.reach;
     const share = answer.saves ? 1 : within(covers / Math.max(Math.abs(aside), 1e-9), 0.2, 0.9);
     this.reached = between(this.ready, [answer.position[0], Math.max(0.15, answer.position[1]), this.feet[2] - 0.1], share);
     this.landing = [this.reached[0], Math.min(this.reached[1], 0.25), this.reached[2]];
   }
 
-  // Puts him where he is at a time, before a step that begins then.
+  // Moves his bodies to their pose at a time. Call it before the step that begins at that time.
   moveTo(time, [trunk, gloves]) {
     const now = this.at(time), then = this.at(time + MOMENT);
     const up = normal(minus(now.shoulders, now.feet)), next = normal(minus(then.shoulders, then.feet)), change = minus(next, up);
@@ -37,12 +37,12 @@ class Keeper {
     gloves.place(now.gloves, { velocity: per(minus(then.gloves, now.gloves)), time });
   }
 
-  // Feet, shoulders and gloves at a time.
+  // Returns the positions of feet, shoulders and gloves at a time.
   at(time) {
     const dived = within((time - this.from) / (this.until - this.from), 0, 1), fallen = within((time - this.until - 0.1) / 0.4, 0, 1);
     const gloves = this.from === Infinity || dived <= 0 ? this.ready
       : between(between(this.ready, this.reached, dived * (2 - dived)), this.landing, fallen * fallen);
-    // He leans as far as his gloves are aside; what lean does not give, his feet do.
+    // He leans towards his gloves. If leaning is not enough, his feet move aside.
     const aside = gloves[0] - this.feet[0], lean = within(aside / KEEPER_LENGTH, -0.97, 0.97), height = Math.sqrt(1 - lean * lean);
     const lifted = Math.max(0, gloves[1] - KEEPER_LENGTH * height - 0.2), feet = [this.feet[0] + aside - KEEPER_LENGTH * lean, Math.max(0.1, lifted), this.feet[2]];
     return { feet, shoulders: plus(feet, times(SHOULDERS, [lean, height, 0])), gloves };

@@ -1,6 +1,6 @@
-// The way ahead, kicks of one ball and of many, replays, and the kick that goes where a visitor has clicked.
+// The predicted path, kicks of one ball and of many, replays, and the kick to a point that the user clicks.
 
-// ---- the way ahead
+// ---- the predicted path
 
 const kickOf = () => KICK.map(name => set[name]);
 
@@ -19,7 +19,7 @@ async function lookAhead() {
   dirty = true;
 }
 
-// The ball lies on its spot again.
+// Puts the ball back on its spot.
 function ready() {
   run++;
   flights = [];
@@ -38,7 +38,7 @@ function ready() {
 
 // ---- kicking
 
-// A newer kick or ready() ends this one. The worker answers in order, so no call may follow the newer kick's "forget".
+// Kicks balls. A newer kick or ready() ends this one. The worker answers in order, so no call may follow the newer kick's "forget".
 async function kick(kickings) {
   if (!engine) return;
   const mine = ++run, over = () => mine !== run;
@@ -71,7 +71,7 @@ async function kick(kickings) {
         if (over()) return;
       }
       flown.take(rows, name);
-      // Of many only what is shown is played.
+      // Of many balls, simulate only the part that is shown.
       flown.isOver = (balls.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("isOver", [flown.number]);
       if (over()) return;
       document.body.dataset.flown = JSON.stringify(balls.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
@@ -89,7 +89,7 @@ function kickOne() {
   return kick(all);
 }
 
-// As a player's kicks spread: 3 % of the speed, a degree or two, some spin.
+// Kicks many balls with the spread of a player: 3 % of the speed, a degree or two, some spin.
 function kickMany() {
   const normal = () => Math.sqrt(-2 * Math.log(1 - Math.random())) * Math.cos(2 * Math.PI * Math.random());
   const colours = stage.series;
@@ -110,7 +110,7 @@ function replay() {
   dirty = true;
 }
 
-// The kick that goes through a point of the goal's plane.
+// Finds the kick through a point of the goal's plane.
 async function aimAt(p) {
   if (!engine) return;
   ready();

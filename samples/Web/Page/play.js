@@ -1,4 +1,4 @@
-// What is set, which all stands in the address, and how the page begins.
+// The settings, which the address contains, and the start of the page.
 const $ = id => document.getElementById(id);
 const DEGREES = 180 / Math.PI, FULL_PULL = 0.3, LEAST_SPEED = 6, MOST_SPEED = 38, MANY = 20;
 const DEFAULTS = {
@@ -28,7 +28,7 @@ let pull = null, dirty = true, last = 0, number = 0, run = 0, kicks = 0, goals =
 
 // ---- what is set
 
-// What the address does not name is as at first.
+// Reads the settings from the address. Settings that it does not contain get their defaults.
 function readAddress() {
   const said = new URLSearchParams(location.hash.slice(1));
   Object.assign(set, DEFAULTS);
@@ -61,19 +61,19 @@ function fill() {
 }
 
 async function scene() {
-  const told = await engine.call("set", SCENE.map(name => set[name]));
-  radius = told.radius;
+  const shown = await engine.call("set", SCENE.map(name => set[name]));
+  radius = shown.radius;
   if (set.beside) {
     const [profile, ball] = set.beside.split(":");
     besideRadius = await engine.call("beside", [profile || set.profile, ball || set.ball]);
   }
-  stage.show({ shapes: [...told.shapes, ...wholePitch(told.goals[0])], goals: told.goals, targets: [], ground: { x: -200, z: -200, cell: 400, columns: 2, rows: 2, heights: [0, 0, 0, 0] } });
+  stage.show({ shapes: [...shown.shapes, ...wholePitch(shown.goals[0])], goals: shown.goals, targets: [], ground: { x: -200, z: -200, cell: 400, columns: 2, rows: 2, heights: [0, 0, 0, 0] } });
   ready();
   await lookAhead();
   document.body.dataset.scene = String(1 + Number(document.body.dataset.scene || 0));
 }
 
-// The lines beyond the penalty area, which the drawing of a goal does not have.
+// Returns the lines beyond the penalty area, which the drawing of a goal does not include.
 function wholePitch(goal) {
   const pitch = new Stadium([goal]), line = (...places) => places.flat();
   const circle = Array.from({ length: 49 }, (_, i) => pitch.at(9.15 * Math.cos(i * Math.PI / 24), LENGTH / 2 + 9.15 * Math.sin(i * Math.PI / 24), 0.005));
@@ -85,7 +85,7 @@ function wholePitch(goal) {
   return [{ name: "pitch", kind: "marking", radius: 0, velocity: [0, 0, 0], lines, faces: [] }];
 }
 
-// ---- beginning
+// ---- start
 
 if (matchMedia("(max-width: 720px), (max-height: 560px)").matches) $("fold").setAttribute("aria-expanded", "false");
 const begun = performance.now();

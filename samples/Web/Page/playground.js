@@ -1,4 +1,4 @@
-// What the page calls: scenes, paths ahead, kicks, aims, on the npm package.
+// The functions that the page calls, for scenes, predicted paths, kicks and aims. They use the npm package.
 const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "contactEnd", "pinned", "enterZone", "exitZone"];
 const MOTIONS = ["airborne", "sliding", "rolling", "rest", "pinned"];
 
@@ -16,7 +16,7 @@ class Playground {
     return { radius, shapes, goals };
   }
 
-  // Sets a second scene to compare with: the first with other laws and another ball; the ball's radius.
+  // Sets a second scene for comparison: the first one with other laws and another ball. Returns the ball's radius.
   beside(profile, ball) {
     this.put(1, new Setting(this.physics, { ...this.settings[0], profile, ball }));
     return this.settings[1].start[1];
@@ -27,7 +27,7 @@ class Playground {
     this.balls[which] = setting.scene([]).ball();
   }
 
-  // The path of a kick, without the goalkeeper, in the steps of the page: times and positions.
+  // Returns the path of a kick without the goalkeeper, in steps of the page: times and positions.
   ahead(which, speed, elevation, azimuth, topSpin, sideSpin, seconds) {
     const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
     const rows = this.look(which, kick, seconds, 1 + Math.round(seconds / (2 * TIME_STEP)));
@@ -42,7 +42,7 @@ class Playground {
     return ball.lookAhead(seconds, samples, { timeStep: TIME_STEP });
   }
 
-  // Kicks a ball, under a number of the page's.
+  // Kicks a ball, with a number that the page chooses.
   kick(number, which, speed, elevation, azimuth, topSpin, sideSpin) {
     const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
     this.look(which, kick, 3, 2);
@@ -55,7 +55,7 @@ class Playground {
 
   nameOf(number, collider) { return this.flights.get(number).scene.names[collider] ?? ""; }
 
-  // The goalkeeper's answer in a sentence; empty where there is none.
+  // Returns the chance of the goalkeeper in a sentence; empty if there is none.
   answer(number) {
     const { keeper } = this.flights.get(number), answer = keeper?.answer;
     if (!answer?.crosses) return "";
@@ -72,7 +72,7 @@ class Playground {
     this.flights.clear();
   }
 
-  // The kick that hits a point at a speed, over or round the wall: status, speed, elevation, azimuth, topspin, sidespin, miss, time, what blocks it.
+  // Finds the kick that reaches a point at a speed, over or round the wall. Returns status, speed, elevation, azimuth, topspin, sidespin, miss, time and the blocking object.
   aim(x, y, z, speed, top, side) {
     const setting = this.settings[0], found = this.balls[0].scene.aim({
       from: setting.start, target: [x, y, z], speed, spin: { top, side, free: setting.wall > 0 }, maxSpin: { top: 70, side: 90 }, elevation: { max: 60 }, tolerance: 0.02,
@@ -82,12 +82,12 @@ class Playground {
     ].join("|");
   }
 
-  // The C# that plays a kick as it is seen.
+  // Returns the C# program that reproduces a kick.
   code(speed, elevation, azimuth, topSpin, sideSpin) {
     const { velocity, spin } = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
     return this.settings[0].code(velocity, spin, this.keeperSource);
   }
 
-  // The golden kicks, line by line, as every runtime must play them.
+  // Returns the golden kicks, line by line. Every runtime must produce the same lines.
   golden() { return this.physics.goldenHashes(); }
 }

@@ -1,4 +1,4 @@
-// The settings of a visitor, which give the scene and the C# program that builds it.
+// The settings of a user, from which the scene and a C# program for it are built.
 const TIME_STEP = 0.01, LONGEST = 9, WALL_DISTANCE = 9.15, SHOULDER = 0.5;
 const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -13,12 +13,12 @@ class Setting {
     Object.assign(this, { physics, profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper });
   }
 
-  // The default ground is that of the profile.
+  // The default ground depends on the profile.
   get groundName() { return this.profile === "published" && this.ground === "matchTurf" ? "publishedTurf" : this.ground; }
 
   get goal() { return { center: [-this.aside, 0, -this.distance], facing: [0, 0, 1] }; }
 
-  // Where the ball lies.
+  // The position of the ball before the kick.
   get start() { return [0, this.ballNumbers.radius, 0]; }
 
   get ballNumbers() { return this.physics.balls[this.ball]; }
@@ -27,14 +27,14 @@ class Setting {
 
   get gloveSpeed() { return [0, 3.6, 4.6, 5.6][this.keeper]; }
 
-  // Where the players of the wall stand: on the way to the near half of the goal.
+  // The positions of the players in the wall, between the ball and the near half of the goal.
   get players() {
     const towards = normal([-this.aside + (this.aside < 0 ? -1.3 : 1.3), 0, -this.distance]), along = [-towards[2], 0, towards[0]];
     const distance = Math.min(WALL_DISTANCE, 0.6 * this.distance);
     return Array.from({ length: this.wall }, (_, i) => plus(times(distance, towards), times((i - 0.5 * (this.wall - 1)) * SHOULDER, along)));
   }
 
-  // The published laws know no makes of ball, only numbers.
+  // The published laws accept only numbers for a ball, not a type.
   scene(bodies) {
     const wall = at => [
       { name: "wall", shape: "capsule", from: plus(at, [0, 0.2, 0]), to: plus(at, [0, 1.35, 0]), radius: 0.2, surface: { material: "boot" } },
@@ -52,7 +52,7 @@ class Setting {
     });
   }
 
-  // A program that plays a kick in this scene and prints what happens.
+  // Returns a program that plays a kick in this scene and prints the events.
   code(velocity, spin, keeperSource) {
     const of = v => `new Vector3d(${Array.from(v, x => x + 0).join(", ")})`, { goal, keeper } = this;
     const profile = this.profile === "published" ? "Published" : "Measured";

@@ -1,4 +1,4 @@
-// Where the camera stands, and what is painted in a frame.
+// The positions of the camera, and the drawing of a frame.
 
 // ---- cameras
 
@@ -7,11 +7,11 @@ function look() {
   if (!stage.picture) return;
   const goal = stage.picture.goals[0].center, start = [0, radius, 0], way = unit([goal[0], 0, goal[2]]), right = [-way[2], 0, way[0]];
   const narrow = camera.width < 640, far = len([goal[0], 0, goal[2]]);
-  // The panel hides a part of the picture: look past it.
+  // The panel hides a part of the picture, so look past it.
   const aside = narrow || $("fold").getAttribute("aria-expanded") === "false" ? 0 : 0.055 * far;
   const eye = (back, up, across = 0) => add(add(mul(-back, way), mul(across, right)), [0, up, 0]);
   const place = {
-    // The ball lies high enough above the bar to be pulled back.
+    // The ball is high enough above the bar that the user can pull it back.
     behind: () => [add(eye(narrow ? 9 : 6.8, narrow ? 3.1 : 2.5), mul(0.4 * aside, right)), add(add(lerp(start, goal, 0.62), mul(aside, right)), [0, narrow ? -0.6 : camera.height < 640 ? -1.3 : -0.35, 0])],
     replay: () => [add(mul(0.5 * far, way), add(mul(narrow ? -21 : -15, right), [0, 1.9, 0])), add(mul((narrow ? 0.7 : 0.63) * far, way), [0, 1.4, 0])],
     side: () => [add(mul(0.5 * far, way), add(mul((narrow ? 1.6 : 0.82) * far + 6, right), [0, 5, 0])), add(mul(0.52 * far, way), [0, 1.5, 0])],
@@ -90,7 +90,7 @@ function numbers(flown) {
   $("numbers").textContent = `${(3.6 * speed).toFixed(0)} km/h · ${(9.549 * spin).toFixed(0)} rpm` + (at ? ` · ${Math.max(0, at.p[1] - radius).toFixed(1)} m high · ${time.toFixed(2)} s${rate < 1 ? " · slow" : ""}` : "");
 }
 
-// What has happened by now: the score, the words.
+// Updates the score and the words to the events so far.
 function story() {
   const end = Math.max(...flights.map(f => f.end)), over = flights.every(f => f.isOver);
   const verdicts = flights.map(f => f.verdict(time));
@@ -100,7 +100,7 @@ function story() {
     const inside = flights.filter(f => f.events.some(e => e.kind === "goal" && e.time <= time)).length;
     if (inside > 0) say(`${inside} of ${flights.length}`, true);
   }
-  // Each goal counts as soon as it is seen, once; a ball beside another is only there to compare with.
+  // Count each goal once, as soon as it is visible. The second ball is only for comparison.
   const fresh = flights.filter(f => f.which === 0 && !f.scored && f.events.some(e => e.kind === "goal" && e.time <= time));
   fresh.forEach(f => { f.scored = true; });
   if (fresh.length > 0) score(0, fresh.length);
@@ -114,7 +114,7 @@ function score(moreKicks, moreGoals) {
   $("goals").textContent = goals;
 }
 
-// A story ends a second and a half after what decides it, not when the ball has stopped rolling.
+// A kick ends 1.8 s after its deciding event, not when the ball comes to rest.
 const storyEnd = () => Math.max(...flights.map(decided));
 
 function decided(flown) {

@@ -1,5 +1,5 @@
-// The game in a worker of its own: the page never waits for it. It gets the files of the npm package and then calls by name; of calls that only the
-// newest counts of ("latest"), older ones are dropped unanswered.
+// Runs the game in its own worker, so that the page never waits. It receives the files of the npm package, and then calls by name. Of the calls marked "latest",
+// only the newest counts: older ones are dropped without a result.
 let playground = null;
 const waiting = [];
 
@@ -16,7 +16,7 @@ function answer({ id, call, args }) {
   }
 }
 
-// One call a turn, so that calls which came in the meantime are seen before the next.
+// Process one call per turn, so that calls that arrive in the meantime are queued before the next one.
 function next() {
   const job = waiting.shift();
   if (job) answer(job);

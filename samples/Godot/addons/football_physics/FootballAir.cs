@@ -6,8 +6,8 @@ namespace FootballPhysics.GodotAddon;
 
 /// <summary>Adds the air of a football to the RigidBody3D above this node: drag, Magnus force, spin decay, wind and buoyancy.</summary>
 /// <remarks>
-/// Godot keeps moving the body, with its own bounces and its own gravity. The accelerations are those of the preset's ball, whatever the mass of the body. The node sets damping and
-/// inertia of the body.
+/// Godot keeps moving the body, with its own bounces and its own gravity. The accelerations are those of the preset's ball, whatever the mass of the body. The node sets the damping and
+/// the inertia of the body.
 /// </remarks>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballAir : Node
@@ -15,11 +15,11 @@ public partial class FootballAir : Node
     private Aerodynamics? _air;
     private int _stamp;
 
-    /// <summary>Ball and air; none: a match ball in still air at sea level. A new one, and any change of it, counts from the next physics frame on. Its ground does not count here.</summary>
+    /// <summary>The ball and the air; empty: a match ball in still air at sea level. A change takes effect in the next physics frame. The preset's ground is ignored.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
 
-    /// <summary>True adds the buoyancy of the ball, 0.066 N upwards.</summary>
+    /// <summary>True to add the buoyancy of the ball, 0.066 N upwards.</summary>
     [Export]
     public bool Buoyancy { get; set; } = true;
 
@@ -33,7 +33,7 @@ public partial class FootballAir : Node
         KickWith(direction * (speed / direction.Length()), GodotFrame.SpinToGodot(KickVectors.Spin(forward, topSpin, sideSpin)));
     }
 
-    /// <summary>Kicks the body: sets its velocity, m/s, and its spin, rad/s. It corrects the velocity for Godot's steps, so that the path is that of the library.</summary>
+    /// <summary>Kicks the body: sets its velocity, m/s, and its spin, rad/s. It corrects the velocity for Godot's steps, so that the path matches the library's.</summary>
     public void KickWith(Vector3 velocity, Vector3 spin)
     {
         RigidBody3D body = Body;
@@ -59,7 +59,7 @@ public partial class FootballAir : Node
         ForceAndTorque load = air.EvaluateForStep(
             Place(body), GodotFrame.FromGodot(body.LinearVelocity), GodotFrame.SpinFromGodot(body.AngularVelocity), delta, Pull(body, air), Time.GetTicksMsec() / 1000.0);
 
-        // The body may be heavier or lighter than the ball: the accelerations are the ball's.
+        // The body may be heavier or lighter than the ball, but the accelerations are the ball's.
         double share = body.Mass / air.Scene.Ball.Mass;
         body.ApplyCentralForce(GodotFrame.ToGodot(share * (load.Force + (Buoyancy ? air.Buoyancy : Vector3d.Zero))));
         body.ApplyTorque(GodotFrame.SpinToGodot(share * load.Torque));
@@ -69,14 +69,14 @@ public partial class FootballAir : Node
 
     private static Vector3d Place(RigidBody3D body) => GodotFrame.FromGodot(body.GlobalPosition);
 
-    /// <summary>The acceleration by gravity and buoyancy, m/s².</summary>
+    /// <summary>Returns the acceleration by gravity and buoyancy, m/s².</summary>
     private Vector3d Pull(RigidBody3D body, Aerodynamics air)
     {
         double gravity = ProjectSettings.GetSetting("physics/3d/default_gravity").AsDouble() * body.GravityScale;
         return new Vector3d(0, -gravity, 0) + (Buoyancy ? air.Buoyancy / air.Scene.Ball.Mass : Vector3d.Zero);
     }
 
-    /// <summary>The air, with a changed preset taken over, and the body's numbers set. If the preset is out of range, it reports that once and keeps the last one.</summary>
+    /// <summary>Applies a changed preset, sets the numbers of the body, and returns the air. If the preset is out of range, reports that once and keeps the previous one.</summary>
     private Aerodynamics Prepared(RigidBody3D body)
     {
         int stamp = HashCode.Combine(Preset, Preset?.Stamp ?? 0);

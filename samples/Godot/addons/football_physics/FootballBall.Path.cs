@@ -14,7 +14,7 @@ public partial class FootballBall
     private int _previewStamp;
     private int _previewDrawn;
 
-    /// <summary>Speed of the kick that the editor shows, m/s; a hard shot has 30.</summary>
+    /// <summary>The speed of the kick that the editor shows, m/s; a hard shot has 30.</summary>
     [ExportGroup("Kick that the editor shows", "Kick")]
     [Export(PropertyHint.Range, "0,60,0.1,suffix:m/s")]
     public float KickSpeed { get; set; } = 25;
@@ -35,11 +35,11 @@ public partial class FootballBall
     [Export(PropertyHint.Range, "-200,200,0.1,suffix:rad/s")]
     public float KickSideSpin { get; set; }
 
-    /// <summary>How much of its path the editor shows, s.</summary>
+    /// <summary>The duration of the path that the editor shows, s.</summary>
     [Export(PropertyHint.Range, "0.1,20,0.1,suffix:s")]
     public float KickShown { get; set; } = 3;
 
-    /// <summary>Direction of the kick that the editor shows.</summary>
+    /// <summary>The direction of the kick that the editor shows.</summary>
     public Vector3 KickDirection
     {
         get
@@ -50,9 +50,9 @@ public partial class FootballBall
         }
     }
 
-    /// <summary>The path ahead, if nobody touches the ball: a point every physics frame, the present one first. Keepers are left out. Allocates nothing.</summary>
-    /// <param name="points">Filled from the start.</param>
-    /// <returns>How many points were filled in; fewer than there is room for when the ball comes to rest.</returns>
+    /// <summary>Predicts the path of the ball without keepers: one point per physics frame, beginning with the current position. Allocates nothing.</summary>
+    /// <param name="points">Receives the points.</param>
+    /// <returns>The number of points written. It is smaller than the length of the span if the ball comes to rest.</returns>
     public int PredictPath(Span<Vector3> points)
     {
         FixedStepRunner runner = Runner;
@@ -61,11 +61,11 @@ public partial class FootballBall
         return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), runner.TimeStep, points);
     }
 
-    /// <summary>The path of a kick from where the ball is, in a game that runs. Allocates nothing.</summary>
+    /// <summary>Predicts the path of a kick from the ball's position, while the game runs. Allocates nothing.</summary>
     /// <param name="velocity">Velocity, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>
-    /// <param name="points">Filled from the start.</param>
-    /// <returns>How many points were filled in.</returns>
+    /// <param name="points">Receives the points.</param>
+    /// <returns>The number of points written.</returns>
     public int PredictKick(Vector3 velocity, Vector3 spin, Span<Vector3> points)
     {
         FixedStepRunner runner = Runner;
@@ -76,9 +76,9 @@ public partial class FootballBall
         return Follow(_scene.Stage.Ahead, state, runner.TimeStep, points);
     }
 
-    /// <summary>The path of the kick that the editor shows, from where the ball is; without a game running. It follows the preset, goals, walls and bodies.</summary>
-    /// <param name="points">Filled from the start.</param>
-    /// <returns>How many points were filled in.</returns>
+    /// <summary>Predicts the path of the kick that the editor shows, from the ball's position, without a running game. It follows changes of the preset, goals, walls and bodies.</summary>
+    /// <param name="points">Receives the points.</param>
+    /// <returns>The number of points written.</returns>
     public int PreviewPath(Span<Vector3> points)
     {
         int stamp = Stamp();
@@ -95,8 +95,8 @@ public partial class FootballBall
         return Follow(ahead, state, 1.0 / Engine.PhysicsTicksPerSecond, points);
     }
 
-    /// <summary>The path ahead as an array, which GDScript can read.</summary>
-    /// <param name="count">Points at most; above 0.</param>
+    /// <summary>Returns the predicted path as an array, for GDScript.</summary>
+    /// <param name="count">The maximum number of points; above 0.</param>
     public Vector3[] PathAhead(int count)
     {
         var points = new Vector3[count];

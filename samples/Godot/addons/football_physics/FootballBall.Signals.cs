@@ -5,7 +5,7 @@ namespace FootballPhysics.GodotAddon;
 
 public partial class FootballBall
 {
-    /// <summary>The ball hit something. The surface is its name: "ground", "left post", the name of a body; the node is the body or the goal, and null for anything else.</summary>
+    /// <summary>The ball hit an object. The surface is its name: "ground", "left post", the name of a body. The node is the body or the goal; null for other objects.</summary>
     [Signal]
     public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time, string surface, Node3D? node);
 

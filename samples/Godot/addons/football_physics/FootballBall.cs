@@ -5,15 +5,15 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A football: stepped in _PhysicsProcess, drawn in _Process. Its children move and turn with it; its scale and the way it stands at the start are kept.</summary>
+/// <summary>A football that steps in _PhysicsProcess and draws in _Process. Its children move and rotate with it. Its scale and its initial orientation are kept.</summary>
 /// <remarks>
-/// It meets every goal, pitch, wall and keeper in the tree, and the bodies in the layers of its hit mask. Whatever is set, of it, of its preset or of those, counts from its next
-/// step on. One without anything to be seen below it draws itself, with a pattern by which one sees it spin.
+/// The ball hits every goal, pitch, wall and keeper in the tree, and the bodies in the layers of its hit mask. Changes of the ball, its preset or these objects take effect in the
+/// next step. A ball without a visible child draws itself, with a pattern that shows its spin.
 /// </remarks>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballBall : Node3D
 {
-    /// <summary>Node.PhysicsInterpolationModeEnum.Off, which Godot has from 4.3 on: the ball is interpolated here, and not twice.</summary>
+    /// <summary>Node.PhysicsInterpolationModeEnum.Off, which Godot has from 4.3 on. The ball interpolates itself, so Godot must not interpolate it again.</summary>
     private const int InterpolationOff = 2;
 
     /// <summary>If the node is farther than this from its drawn position, m, other code moved it.</summary>
@@ -78,10 +78,10 @@ public partial class FootballBall : Node3D
     }
 
     /// <summary>Applies changes to the ball, its preset or the tree at once. Otherwise they take effect before the next step.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name. The ball keeps its previous settings.</exception>
     public void Apply()
     {
-        // All of the new before any of the old goes: what is refused changes nothing.
+        // Create all new objects before replacing the old ones, so that a rejected value changes nothing.
         _stamp = Stamp();
         FootballScene scene = NewScene();
         bool begins = _runner is null;
@@ -105,7 +105,7 @@ public partial class FootballBall : Node3D
     }
 
     /// <summary>Compiles a new simulator for the ball's scene: its preset, and the goals, pitches, walls and keepers in the tree, without bodies.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name.</exception>
     internal Simulator CompileScene() => new FootballScene(Preset, 0, 0, null).Stage.Game;
 
     /// <inheritdoc/>
@@ -140,10 +140,10 @@ public partial class FootballBall : Node3D
         ApplyChanges();
         if (_runner is not { } runner)
         {
-            return;     // its first scene was invalid, which was reported; the next valid one starts it
+            return;     // the first scene was invalid, which was reported; the next valid one starts the ball
         }
 
-        // Godot has its bodies where they are at this time, on the clock of the ball.
+        // The positions of Godot's bodies hold at this time, on the clock of the ball.
         _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
         _scene.Stage.BeforeStep(runner.State);
         runner.Step();
@@ -152,7 +152,7 @@ public partial class FootballBall : Node3D
         {
             _scene.Push(in runner.Events[i]);
             Emit(in runner.Events[i]);
-            _scene.GoalOf(in runner.Events[i])?.Tell(this, in runner.Events[i]);
+            _scene.GoalOf(in runner.Events[i])?.EmitFor(this, in runner.Events[i]);
         }
     }
 

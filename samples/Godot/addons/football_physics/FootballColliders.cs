@@ -7,22 +7,22 @@ using Godot;
 namespace FootballPhysics.GodotAddon;
 
 /// <summary>
-/// Godot's bodies as the ball meets them, found by PhysicsDirectSpaceState3D.CastMotion and GetRestInfo. Spheres, capsules and boxes are met exactly as they are; any
-/// other shape as the plane that it is like where the ball would touch it.
+/// Godot's bodies as colliders of the ball, found by PhysicsDirectSpaceState3D.CastMotion and GetRestInfo. Spheres, capsules and boxes have their exact shapes. Any
+/// other shape acts as its tangent plane at the point that the ball would touch.
 /// </summary>
-/// <remarks>A shape's size is that of when it was first met. What Godot answers with are dictionaries of its own, which it allocates.</remarks>
+/// <remarks>The size of a shape is read when the ball first hits it. Godot returns its results as dictionaries, which it allocates.</remarks>
 public sealed class FootballColliders : IEngineColliders
 {
-    /// <summary>Bodies that one cast looks for at most.</summary>
+    /// <summary>The maximum number of bodies that a cast finds.</summary>
     private const int MostBodies = 32;
 
     /// <summary>The distance beyond the unsafe fraction of a cast at which contacts are queried, m.</summary>
     private const float Beyond = 1e-3f;
 
-    /// <summary>Up to this part of its radius from a surface the ball touches it.</summary>
+    /// <summary>The ball touches a surface up to this multiple of its radius from its centre.</summary>
     private const float Skin = 1.01f;
 
-    /// <summary>Casts after the first one. Godot's cast is a bisection of 8 steps, up to 1/256 of its motion late; each cast between safe and unsafe divides that by 256.</summary>
+    /// <summary>The number of casts after the first one. Godot's cast is a bisection of 8 steps, up to 1/256 of its motion late; each cast between safe and unsafe divides that by 256.</summary>
     private const int Refinements = 1;
 
     private readonly Dictionary<(ulong Body, int Owner), EngineCollider> _known = new();
@@ -35,11 +35,11 @@ public sealed class FootballColliders : IEngineColliders
     private readonly Godot.Collections.Array<Rid> _excluded = new();
     private readonly Godot.Collections.Array<Rid> _others = new();
 
-    /// <summary>For a ball in a space.</summary>
+    /// <summary>Creates the colliders for a ball in a space.</summary>
     /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
-    /// <param name="mask">The layers that it hits.</param>
-    /// <param name="greatestSpeed">Not slower than the fastest point of any body in them, m/s, with its rotation.</param>
-    /// <param name="pushes">True if dynamic bodies react with their mass. The event has the impulse, which the game applies.</param>
+    /// <param name="mask">The layers that the ball hits.</param>
+    /// <param name="greatestSpeed">An upper bound of the speed of any point of the bodies in them, m/s, including rotation.</param>
+    /// <param name="pushes">True if dynamic bodies react with their mass. The event contains the impulse, which the game applies.</param>
     public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed, bool pushes = false)
     {
         _pushes = pushes;
@@ -49,13 +49,13 @@ public sealed class FootballColliders : IEngineColliders
         MaximumSpeed = greatestSpeed;
     }
 
-    /// <summary>When Godot has its bodies where they are, on the ball's clock, s: set before every step.</summary>
+    /// <summary>The time at which the positions of Godot's bodies hold, on the ball's clock, s. Set it before every step.</summary>
     public double Time { get; set; }
 
-    /// <summary>Not slower than the fastest of them, m/s.</summary>
+    /// <summary>An upper bound of the speed of the bodies, m/s.</summary>
     public double MaximumSpeed { get; set; }
 
-    /// <summary>Godot's body of a collider that was met; null for none.</summary>
+    /// <summary>Returns Godot's body of a collider; null if there is none.</summary>
     public CollisionObject3D? Of(EngineCollider? collider) => collider is not null && _bodies.TryGetValue(collider, out CollisionObject3D? body) ? body : null;
 
     /// <summary>Adds the bodies that a sphere touches on its path.</summary>
@@ -66,14 +66,14 @@ public sealed class FootballColliders : IEngineColliders
         _sphere.Radius = (float)cast.Radius;
         _excluded.Clear();
 
-        // First the bodies that overlap the sphere at the start, which a cast omits, then those on its path, one by one.
+        // First add the bodies that overlap the sphere at the start, which a cast omits, then those on its path, one by one.
         while (_excluded.Count < MostBodies && TryRest(from, in cast, hits))
         {
         }
 
         while (_excluded.Count < MostBodies && cast.Distance > 0 && TryCast(from, motion, _excluded, out Vector3 place))
         {
-            // A ball that only grazes a body may have left it so far beyond the cast's end.
+            // A ball that only grazes a body may have left it this far beyond the end of the cast.
             if (!TryRest(place + (motion * (Beyond / (float)cast.Distance)), in cast, hits) && !TryRest(place, in cast, hits))
             {
                 break;
@@ -81,7 +81,7 @@ public sealed class FootballColliders : IEngineColliders
         }
     }
 
-    /// <summary>Finds the place at which the sphere first touches a body on its way; false if it touches none.</summary>
+    /// <summary>Finds the position at which the sphere first touches a body on its path. Returns false if it touches none.</summary>
     private bool TryCast(Vector3 from, Vector3 motion, Godot.Collections.Array<Rid> excluded, out Vector3 place)
     {
         place = from + motion;
@@ -93,7 +93,7 @@ public sealed class FootballColliders : IEngineColliders
             float[] fractions = _space.CastMotion(_query);
             if (fractions.Length < 2)
             {
-                // The space rejects queries, for instance while it is locked: nothing is found now, and the next step tries again.
+                // The space rejects queries, for instance while it is locked. Find nothing now; the next step tries again.
                 if (!_warned)
                 {
                     _warned = true;
@@ -105,7 +105,7 @@ public sealed class FootballColliders : IEngineColliders
 
             if (fractions[1] >= 1)
             {
-                // In a refinement rounding alone may find nothing: then the end of its motion is the place.
+                // In a refinement, rounding alone may find nothing. Then use the end of the motion.
                 return i > 0;
             }
 
@@ -117,7 +117,7 @@ public sealed class FootballColliders : IEngineColliders
         return true;
     }
 
-    /// <summary>What the sphere touches where it is; empty for nothing.</summary>
+    /// <summary>Returns the contact of the sphere at a position; empty if there is none.</summary>
     private Godot.Collections.Dictionary RestAt(Vector3 place, Godot.Collections.Array<Rid> excluded)
     {
         _query.Transform = new Transform3D(Basis.Identity, place);
@@ -138,7 +138,7 @@ public sealed class FootballColliders : IEngineColliders
         _excluded.Add(rid);
         ulong id = rest["collider_id"].AsUInt64();
 
-        // The velocity is that of the body's surface there: v + ω × r.
+        // The velocity is that of the body's surface at this point: v + ω × r.
         if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, rest["point"].AsVector3(), rest["linear_velocity"].AsVector3(), hits))
         {
             rest = Exact(rid, rest, in cast);
@@ -175,7 +175,7 @@ public sealed class FootballColliders : IEngineColliders
             }
         }
 
-        // Godot can leave bodies out, but not look for a single one: the others are left out one by one.
+        // Godot can exclude bodies, but cannot query a single one, so exclude the others one by one.
         _sphere.Radius = radius;
         while (_others.Count < MostBodies && TryCast(from, motion, _others, out Vector3 place))
         {
@@ -195,11 +195,11 @@ public sealed class FootballColliders : IEngineColliders
     }
 
     /// <summary>Adds all enabled shapes of a body, if the library has all of them.</summary>
-    /// <param name="id">The body's number.</param>
+    /// <param name="id">The instance ID of the body.</param>
     /// <param name="body">The body.</param>
-    /// <param name="point">Where it is touched.</param>
-    /// <param name="velocity">The velocity of its surface there.</param>
-    /// <param name="hits">Where they go.</param>
+    /// <param name="point">The point of the contact.</param>
+    /// <param name="velocity">The velocity of the surface at this point.</param>
+    /// <param name="hits">Receives the shapes.</param>
     private bool AddShapes(ulong id, CollisionObject3D body, Vector3 point, Vector3 velocity, EngineHits hits)
     {
         int[] owners = System.Array.FindAll(body.GetShapeOwners(), owner => !body.IsShapeOwnerDisabled((uint)owner));
@@ -217,7 +217,7 @@ public sealed class FootballColliders : IEngineColliders
             EngineCollider known = Known(id, owner, body.Name.ToString(), body.ShapeOwnerGetShape((uint)owner, 0));
             Transform3D at = body.GlobalTransform * body.ShapeOwnerGetTransform((uint)owner);
 
-            // Where the shape has its origin the body goes by ω × r less fast than where it is touched.
+            // At the origin of the shape, the velocity differs from that at the contact by ω × r.
             Vector3 there = velocity - spin.Cross(point - at.Origin);
             known.MoveTo(GodotFrame.FromGodot(at.Origin), GodotFrame.FromGodot(at.Basis.GetRotationQuaternion()), GodotFrame.FromGodot(there), GodotFrame.SpinFromGodot(spin));
             hits.Add(known);
@@ -247,7 +247,7 @@ public sealed class FootballColliders : IEngineColliders
         return known;
     }
 
-    /// <summary>The material that the metadata football_surface of a body names: a preset, or turf. Any other name is the frame of a goal.</summary>
+    /// <summary>Returns the material for the metadata football_surface of a body: a preset, or turf. Any other name gives the frame of a goal.</summary>
     private static SurfaceMaterial SurfaceOf(string name) => name == "turf" ? SurfaceMaterial.MatchTurf : SurfaceMaterial.Presets.GetValueOrDefault(name, SurfaceMaterial.GoalFrame);
 
     private static IShape? Shape(Shape3D shape)

@@ -9,7 +9,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The drag coefficient of a preset from 0 to 40 m/s, up to 0.6: without spin, and grey with 60 rad/s; below it the source of each number.</summary>
+/// <summary>Draws the drag coefficient of a preset from 0 to 40 m/s, up to 0.6: without spin, and in grey with 60 rad/s. The source of each number is below.</summary>
 [Tool]
 public partial class FootballCurve : Control
 {
@@ -85,7 +85,7 @@ public partial class FootballCurve : Control
         return points;
     }
 
-    /// <summary>The summary and the remarks of a preset; empty if it is not available.</summary>
+    /// <summary>Returns the summary and the remarks of a preset; empty if they are not available.</summary>
     private static string Note(string type, string name)
     {
         string file = ProjectSettings.GlobalizePath(Documentation);

@@ -14,13 +14,13 @@ internal sealed class FootballDrawing
     private readonly List<MeshInstance3D> _made = new();
     private readonly Node3D _owner;
 
-    /// <summary>A drawing of a node.</summary>
+    /// <summary>Creates the drawing of a node.</summary>
     public FootballDrawing(Node3D owner) => _owner = owner;
 
-    /// <summary>The pattern of a ball as a texture, one for all.</summary>
+    /// <summary>The pattern of a ball as a texture, which all balls share.</summary>
     public static ImageTexture BallTexture => s_texture ??= ImageTexture.CreateFromImage(Image.CreateFromData(256, 128, false, Image.Format.L8, BallPattern.Picture()));
 
-    /// <summary>A surface as a mesh.</summary>
+    /// <summary>Converts a surface to a mesh.</summary>
     public static ArrayMesh Fill(ShapeMesh shape)
     {
         var points = new Vector3[shape.Points.Length];
@@ -49,10 +49,10 @@ internal sealed class FootballDrawing
         return mesh;
     }
 
-    /// <summary>A material of a colour, and a texture if there is one.</summary>
+    /// <summary>Creates a material from a colour and, optionally, a texture.</summary>
     public static StandardMaterial3D Made(Color color, Texture2D? texture = null) => new() { AlbedoColor = color, AlbedoTexture = texture };
 
-    /// <summary>Draws the threads of a net where they are now.</summary>
+    /// <summary>Draws the threads of a net at their current positions.</summary>
     public static void Move(MeshInstance3D drawn, NetMesh net)
     {
         var points = new Vector3[net.Points.Length];
@@ -66,7 +66,7 @@ internal sealed class FootballDrawing
         mesh.AddSurfaceFromArrays(Mesh.PrimitiveType.Lines, Arrays(points, net.Threads.ToArray()));
     }
 
-    /// <summary>Draws a line through points; nothing if there are fewer than two.</summary>
+    /// <summary>Draws a line through points; nothing if there are fewer than two points.</summary>
     public static void Trace(MeshInstance3D drawn, ReadOnlySpan<Vector3> points)
     {
         var mesh = (ArrayMesh)drawn.Mesh;
@@ -83,7 +83,7 @@ internal sealed class FootballDrawing
         }
     }
 
-    /// <summary>Adds a surface where it is; it may be moved.</summary>
+    /// <summary>Adds a surface at its position, and returns its instance, which can be moved.</summary>
     public MeshInstance3D Add(ShapeMesh shape, Color color) => Part(Fill(shape), Made(color));
 
     /// <summary>Adds a net.</summary>
@@ -94,7 +94,7 @@ internal sealed class FootballDrawing
         return drawn;
     }
 
-    /// <summary>Adds a line that is not traced yet.</summary>
+    /// <summary>Adds a line without points.</summary>
     public MeshInstance3D AddLine(Color color)
     {
         StandardMaterial3D material = Made(color);
@@ -102,7 +102,7 @@ internal sealed class FootballDrawing
         return Part(new ArrayMesh(), material);
     }
 
-    /// <summary>Takes all of it away.</summary>
+    /// <summary>Removes all parts of the drawing.</summary>
     public void Clear()
     {
         foreach (MeshInstance3D drawn in _made)
@@ -124,7 +124,7 @@ internal sealed class FootballDrawing
 
     private MeshInstance3D Part(Mesh mesh, Material material)
     {
-        // In world coordinates, whatever the owner's scale: it is drawn as it is hit.
+        // Draw in world coordinates, whatever the owner's scale, so that the drawing matches the colliders.
         var drawn = new MeshInstance3D { Mesh = mesh, MaterialOverride = material, TopLevel = true };
         _owner.AddChild(drawn, false, Node.InternalMode.Back);
         drawn.GlobalTransform = Transform3D.Identity;

@@ -8,7 +8,7 @@ using Godot;
 namespace FootballPhysics.GodotAddon;
 
 /// <summary>A goal: posts and a crossbar that stop the ball, a net that bulges, and signals for goals. It opens towards +z, so a player who looks along −z shoots at it.</summary>
-/// <remarks>Its place is the middle of the goal line on the ground; its scale does not count.</remarks>
+/// <remarks>Its position is the centre of the goal line on the ground. Its scale is ignored.</remarks>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballGoal : FootballThing
 {
@@ -46,7 +46,7 @@ public partial class FootballGoal : FootballThing
     [Export(PropertyHint.Range, "0.1,5,0.01,suffix:m")]
     public float DepthOnGround { get; set; } = 2;
 
-    /// <summary>True if the goal has nets; without them the ball flies through.</summary>
+    /// <summary>True if the goal has nets. Without nets, the ball flies through.</summary>
     [Export]
     public bool HasNet { get; set; } = true;
 
@@ -55,8 +55,8 @@ public partial class FootballGoal : FootballThing
 
     internal override int Order => 1;
 
-    /// <summary>The goal, in the library's type.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">It does not stand upright: its opening faces up or down.</exception>
+    /// <summary>Converts the goal to the library's type.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The goal is not upright: its opening faces up or down.</exception>
     public Goal ToGoal()
     {
         Vector3d opening = Turn.Rotate(new Vector3d(0, 0, 1)).Horizontal;
@@ -98,7 +98,7 @@ public partial class FootballGoal : FootballThing
         }
     }
 
-    /// <summary>Draws the bulge of the nets.</summary>
+    /// <summary>Draws the bulges of the nets.</summary>
     internal void Follow(NetBulges bulges, int first)
     {
         for (int i = 0; i < _nets.Count; i++)
@@ -110,8 +110,8 @@ public partial class FootballGoal : FootballThing
         }
     }
 
-    /// <summary>Emits its signals for an event.</summary>
-    internal void Tell(FootballBall ball, in BallEvent happened)
+    /// <summary>Emits the signals of the goal for an event.</summary>
+    internal void EmitFor(FootballBall ball, in BallEvent happened)
     {
         StringName? signal = happened.Kind switch
         {

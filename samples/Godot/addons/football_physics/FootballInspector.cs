@@ -4,7 +4,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Adds to the inspector of a preset the drag curve that its numbers make, and where those of its ball and ground come from.</summary>
+/// <summary>Adds the drag curve of a preset and the sources of its ball and ground to the preset's inspector.</summary>
 [Tool]
 public partial class FootballInspector : EditorInspectorPlugin
 {

@@ -7,7 +7,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A goalkeeper who stands where this node is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
+/// <summary>A goalkeeper at the position of this node, who dives for shots at the nearest goal. The library's Interception.FindSave plans the dive.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballKeeper : FootballThing
 {
@@ -41,7 +41,7 @@ public partial class FootballKeeper : FootballThing
     [Export]
     public Color Shirt { get; set; } = new(0.95f, 0.76f, 0.19f);
 
-    /// <summary>The number of shots he dived for, for the ball that was stepped last.</summary>
+    /// <summary>The number of shots that he dived for, for the ball that was stepped last.</summary>
     public int Dives { get; private set; }
 
     internal override int Order => 3;
@@ -64,7 +64,7 @@ public partial class FootballKeeper : FootballThing
         _figure.GlobalTransform = new Transform3D(Basis.Identity, GlobalPosition + new Vector3(0, (float)(shape.Radius - shape.From.Y), 0));
     }
 
-    /// <summary>Draws him as he dives.</summary>
+    /// <summary>Draws him in the pose of his dive.</summary>
     internal void Follow(KeeperDive dive)
     {
         Dives = dive.Count;

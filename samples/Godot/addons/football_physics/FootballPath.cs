@@ -4,12 +4,12 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The path ahead in the game: a line for the ball, and around it a cone for the spread of the player's kicks.</summary>
+/// <summary>Shows the predicted path in the game: a line for the ball, and a cone around it for the spread of the player's kicks.</summary>
 /// <remarks>It shows the kick of <see cref="ShowKick"/> during aiming, and otherwise the path of the flying ball.</remarks>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPath : Node3D
 {
-    /// <summary>Lines of the cone.</summary>
+    /// <summary>The number of lines of the cone.</summary>
     public const int Sides = 8;
 
     private readonly MeshInstance3D[] _lines = new MeshInstance3D[1 + Sides];
@@ -18,19 +18,19 @@ public partial class FootballPath : Node3D
     private Vector3 _spin;
     private bool _aims;
 
-    /// <summary>The ball; none: the first in the tree.</summary>
+    /// <summary>The ball; empty: the first in the tree.</summary>
     [Export]
     public FootballBall? Ball { get; set; }
 
-    /// <summary>Length of the path shown, s.</summary>
+    /// <summary>The duration of the path shown, s.</summary>
     [Export(PropertyHint.Range, "0.1,10,0.1,suffix:s")]
     public float Seconds { get; set; } = 1.6f;
 
-    /// <summary>Standard deviation of the direction, degrees; the band shows two of them.</summary>
+    /// <summary>The standard deviation of the direction, degrees; the cone shows two of them.</summary>
     [Export(PropertyHint.Range, "0,10,0.1,suffix:°")]
     public float Degrees { get; set; } = 1;
 
-    /// <summary>Standard deviation of the speed, %.</summary>
+    /// <summary>The standard deviation of the speed, %.</summary>
     [Export(PropertyHint.Range, "0,30,0.1,suffix:%")]
     public float SpeedPercent { get; set; } = 3;
 
@@ -38,10 +38,10 @@ public partial class FootballPath : Node3D
     [Export]
     public Color LineColor { get; set; } = new(1, 0.92f, 0.016f);
 
-    /// <summary>The line of the path, and then those of the cone.</summary>
+    /// <summary>The line of the path, followed by the lines of the cone.</summary>
     public MeshInstance3D[] Lines => _lines;
 
-    /// <summary>Shows a kick that is aimed, until <see cref="HideKick"/>.</summary>
+    /// <summary>Shows an aimed kick, until <see cref="HideKick"/>.</summary>
     /// <param name="velocity">Velocity, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>
     public void ShowKick(Vector3 velocity, Vector3 spin)
@@ -51,7 +51,7 @@ public partial class FootballPath : Node3D
         _spin = spin;
     }
 
-    /// <summary>Shows the ball's own way again.</summary>
+    /// <summary>Shows the path of the ball itself again.</summary>
     public void HideKick() => _aims = false;
 
     /// <inheritdoc/>
@@ -88,7 +88,7 @@ public partial class FootballPath : Node3D
         }
     }
 
-    /// <summary>The kick two standard deviations off, to one of the sides.</summary>
+    /// <summary>Returns the kick that is two standard deviations off, to one of the sides.</summary>
     private Vector3 Off(int side)
     {
         (float sin, float cos) = MathF.SinCos(side * (2 * MathF.PI / Sides));

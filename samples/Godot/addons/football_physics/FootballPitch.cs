@@ -6,8 +6,8 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A pitch: its ground is the ground of every football, at the height of this node; its lines are drawn, and it has boards where they have a height. Goals are nodes of their own.</summary>
-/// <remarks>Its place is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>
+/// <summary>A pitch: the ground of every football, at the height of this node, with lines, and with boards if their height is not 0. Goals are separate nodes.</summary>
+/// <remarks>Its position is the centre of the pitch, whose length is along z. It may be rotated about y. Its scale is ignored.</remarks>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPitch : FootballThing
 {
@@ -19,11 +19,11 @@ public partial class FootballPitch : FootballThing
     [Export(PropertyHint.Range, "5,150,0.1,suffix:m")]
     public float Width { get; set; } = 68;
 
-    /// <summary>True for goals and areas of futsal.</summary>
+    /// <summary>True for the goals and areas of futsal.</summary>
     [Export]
     public bool Futsal { get; set; }
 
-    /// <summary>The ground; of the profile: that of the ball's preset.</summary>
+    /// <summary>The ground. OfProfile: the ground of the ball's preset.</summary>
     [Export]
     public FootballPreset.GroundChoice Surface { get; set; } = FootballPreset.GroundChoice.OfProfile;
 
@@ -41,7 +41,7 @@ public partial class FootballPitch : FootballThing
 
     internal override int Order => 0;
 
-    /// <summary>The pitch in the library's type, centred at the origin.</summary>
+    /// <summary>Converts the pitch to the library's type, centred at the origin.</summary>
     public Pitch ToPitch() => (Futsal ? Pitch.Futsal : Pitch.Standard) with
     {
         Length = FootballPreset.Typed(Length),
@@ -65,7 +65,7 @@ public partial class FootballPitch : FootballThing
 
     internal override void Draw(FootballDrawing drawing)
     {
-        // On one height the lines would flicker in the grass: that lies a little lower.
+        // At the same height, the lines would flicker in the grass, so draw the grass a little lower.
         Pitch pitch = ToPitch();
         Lay(drawing.Add(ShapeMesh.GroundOf(pitch), Grass), -0.012f);
         Lay(drawing.Add(ShapeMesh.LinesOf(pitch), new Color(1, 1, 1)), -0.004f);
@@ -78,6 +78,6 @@ public partial class FootballPitch : FootballThing
     private void Lay(Node3D drawn, float raised) =>
         drawn.GlobalTransform = new Transform3D(new Basis(GlobalTransform.Basis.GetRotationQuaternion()), GlobalPosition + new Vector3(0, raised, 0));
 
-    /// <summary>A board of the pitch, in the position of the pitch, which can be rotated about y.</summary>
+    /// <summary>Moves a board of the pitch to the position of the pitch, which can be rotated about y.</summary>
     private BoxShape Placed(BoxShape board) => new(GodotFrame.FromGodot(GlobalPosition) + Turn.Rotate(board.Center), board.HalfSize, Turn);
 }

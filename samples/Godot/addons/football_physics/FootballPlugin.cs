@@ -4,7 +4,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The plugin adds a dock that plays recordings, and the drag curve in the inspector of a preset. The nodes and the resource are global classes, which Godot registers itself.</summary>
+/// <summary>Adds a dock that plays recordings, and the drag curve in the inspector of a preset. The nodes and the resource are global classes, which Godot registers itself.</summary>
 [Tool]
 public partial class FootballPlugin : EditorPlugin
 {

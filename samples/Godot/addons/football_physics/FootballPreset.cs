@@ -5,11 +5,11 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Ball, air, ground and integrator, as a resource that several balls can share.</summary>
+/// <summary>The ball, air, ground and integrator, as a resource that several balls can share.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPreset : Resource
 {
-    /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset; published has the laws and numbers of the original thesis.</summary>
+    /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset. Published has the laws and numbers of the original thesis.</summary>
     public enum ProfileChoice
     {
         Measured,
@@ -73,7 +73,7 @@ public partial class FootballPreset : Resource
     [Export]
     public ProfileChoice Profile { get; set; } = ProfileChoice.Measured;
 
-    /// <summary>The ball. Default a match football.</summary>
+    /// <summary>The ball. Default: a match football.</summary>
     [Export]
     public BallChoice Ball { get; set; } = BallChoice.Modern;
 
@@ -153,7 +153,7 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0,1,0.01")]
     public float Mud { get; set; }
 
-    /// <summary>How the scene is integrated.</summary>
+    /// <summary>The solver settings of the scene.</summary>
     public SolverSettings Settings => new() { Integrator = Integrator };
 
     /// <summary>A hash that changes when any of these numbers changes.</summary>
@@ -167,7 +167,7 @@ public partial class FootballPreset : Resource
     /// <summary>Checks and compiles the scene. Throws <see cref="ArgumentOutOfRangeException"/> if a number is out of range.</summary>
     public Simulator Compile() => new(MakeScene(), Settings);
 
-    /// <summary>The scene that these numbers describe.</summary>
+    /// <summary>Creates the scene from these numbers.</summary>
     public Scene MakeScene()
     {
         Scene own = Profile switch
@@ -199,21 +199,21 @@ public partial class FootballPreset : Resource
             : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
     }
 
-    /// <summary>A ground at a height, m. A scene without ground has no height.</summary>
+    /// <summary>Returns a ground at a height, m. A scene without ground has no height.</summary>
     internal static Ground AtHeight(Ground ground, double height) => ground.IsNone ? ground : ground with { Height = height };
 
-    /// <summary>A ground that is chosen by name.</summary>
-    /// <param name="choice">Its name; that of the profile, and a custom one, are the given one.</param>
+    /// <summary>Returns a ground by its name.</summary>
+    /// <param name="choice">The name; OfProfile and Custom return the given ground.</param>
     /// <param name="own">The ground of the profile.</param>
     internal static Ground GroundOf(GroundChoice choice, Ground own) =>
         choice is GroundChoice.OfProfile or GroundChoice.Custom ? own : Ground.Presets[NameOf(choice.ToString())];
 
-    /// <summary>The ball that is chosen.</summary>
+    /// <summary>Returns the chosen ball.</summary>
     internal BallProperties BallOf() => Ball == BallChoice.Custom
         ? BallProperties.Modern with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) }
         : BallProperties.Presets[NameOf(Ball.ToString())];
 
-    /// <summary>The name of a preset in the library, which starts with a small letter.</summary>
+    /// <summary>Returns the name of a preset in the library, which starts with a lower-case letter.</summary>
     private static string NameOf(string choice) => char.ToLowerInvariant(choice[0]) + choice.Substring(1);
 
     private ForceSet ForcesOf(ForceSet own) => Laws switch
@@ -227,6 +227,6 @@ public partial class FootballPreset : Resource
         _ => throw new InvalidOperationException($"There are no laws {Laws}."),
     };
 
-    /// <summary>The number in the inspector, not the single next to it: 1.2f is not 1.2.</summary>
+    /// <summary>Returns the decimal number of the inspector, not the nearest single-precision number: 1.2f is not 1.2.</summary>
     internal static double Typed(float number) => Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
 }

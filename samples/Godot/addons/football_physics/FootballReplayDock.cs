@@ -23,7 +23,7 @@ public partial class FootballReplayDock : VBoxContainer
     private bool _plays;
     private bool _moves;
 
-    /// <summary>The recording that is shown; null if there is none.</summary>
+    /// <summary>The recording that the dock shows; null if there is none.</summary>
     public RecordingPlayer? Player { get; private set; }
 
     /// <summary>The result of the last check.</summary>
@@ -55,7 +55,7 @@ public partial class FootballReplayDock : VBoxContainer
     }
 
     /// <summary>Loads a recording for the scene of a ball: its preset and the goals, pitches, walls and keepers in the tree.</summary>
-    /// <param name="bytes">What Recording.ToBytes wrote.</param>
+    /// <param name="bytes">The bytes that Recording.ToBytes returned.</param>
     /// <param name="ball">The ball.</param>
     public void Load(byte[] bytes, FootballBall ball)
     {
@@ -75,7 +75,7 @@ public partial class FootballReplayDock : VBoxContainer
         }
     }
 
-    /// <summary>Plays, or stops.</summary>
+    /// <summary>Starts or stops the playback.</summary>
     public void Toggle()
     {
         _plays = !_plays && Player is not null;
@@ -96,8 +96,8 @@ public partial class FootballReplayDock : VBoxContainer
         }
     }
 
-    /// <summary>Goes to a tick.</summary>
-    /// <param name="tick">The tick, as the slider has it.</param>
+    /// <summary>Moves the playback to a tick.</summary>
+    /// <param name="tick">The tick, as the value of the slider.</param>
     public void Seek(double tick)
     {
         if (Player is not null && !_moves)

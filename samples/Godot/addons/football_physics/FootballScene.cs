@@ -14,7 +14,7 @@ internal sealed class FootballScene
     private readonly FootballColliders? _colliders;
     private readonly FootballColliders? _collidersAhead;
 
-    /// <summary>Compiles it.</summary>
+    /// <summary>Compiles the scene.</summary>
     public FootballScene(FootballPreset? preset, uint mask, double greatestSpeed, PhysicsDirectSpaceState3D? space)
     {
         Stage = new BallScene(preset?.MakeScene(), preset?.Settings);
@@ -43,7 +43,7 @@ internal sealed class FootballScene
         _goals.Add(goal);
     }
 
-    /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
+    /// <summary>Adds a keeper to a goal, or to the nearest one.</summary>
     public void Add(FootballKeeper keeper, FootballGoal? goal, Vector3d feet, Player abilities)
     {
         int index = goal is not null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
@@ -57,7 +57,7 @@ internal sealed class FootballScene
         _keepers.Add(keeper);
     }
 
-    /// <summary>Says that Godot has its bodies where they are at this time, on the clock of the ball, and how fast they may be.</summary>
+    /// <summary>Sets the time, on the ball's clock, at which the positions of Godot's bodies hold, and the maximum speed of these bodies.</summary>
     public void CollidersAreAt(double time, double greatestSpeed)
     {
         if (_colliders is not null && _collidersAhead is not null)
@@ -69,17 +69,17 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>The goal of an event; null if there is none.</summary>
+    /// <summary>Returns the goal of an event; null if there is none.</summary>
     public FootballGoal? GoalOf(in BallEvent happened)
     {
         int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
         return goal >= 0 ? _goals[goal] : null;
     }
 
-    /// <summary>The name of the surface that an event reports: "ground", "left post", the name of a body.</summary>
+    /// <summary>Returns the name of the surface that an event reports: "ground", "left post", the name of a body.</summary>
     public string NameOf(in BallEvent happened) => Stage.Game.NameOf(happened.ColliderIndex) ?? "";
 
-    /// <summary>The body or the goal that an event reports; null for anything else.</summary>
+    /// <summary>Returns the body or the goal that an event reports; null for other objects.</summary>
     public Node3D? NodeOf(in BallEvent happened) => _colliders?.Of(Stage.ColliderOf(in happened)) is { } body ? body : GoalOf(in happened);
 
     /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
@@ -92,7 +92,7 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>Draws nets and keepers in their present shape.</summary>
+    /// <summary>Draws the nets and the keepers in their current shape.</summary>
     public void Draw()
     {
         for (int i = 0; i < _goals.Count; i++)

@@ -3,7 +3,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Counts and shows the goals in the tree, and puts the ball back after a goal or a shot at rest.</summary>
+/// <summary>Counts and shows the goals in the tree, and resets the ball after a goal, or when a shot comes to rest.</summary>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballScore : CanvasLayer
 {
@@ -12,14 +12,14 @@ public partial class FootballScore : CanvasLayer
     private Vector3 _spot;
     private double _left;
 
-    /// <summary>Delay before the ball is put back after a goal or a shot at rest, s; 0: never.</summary>
+    /// <summary>The delay before the reset, s; 0: no reset.</summary>
     [Export(PropertyHint.Range, "0,10,0.1,suffix:s")]
     public float Again { get; set; } = 2;
 
-    /// <summary>Goals so far.</summary>
+    /// <summary>The number of goals so far.</summary>
     public int Goals { get; private set; }
 
-    /// <summary>Shots so far: the number of times a ball left its spot.</summary>
+    /// <summary>The number of shots so far: how often a ball left its spot.</summary>
     public int Shots { get; private set; }
 
     /// <inheritdoc/>
@@ -35,7 +35,7 @@ public partial class FootballScore : CanvasLayer
     {
         if (_ball is null)
         {
-            // Whatever the order in the tree: by the first frame all is ready.
+            // Wait for the first frame: by then all nodes are ready, whatever their order in the tree.
             _ball = FootballBall.First;
             _spot = _ball?.GlobalPosition ?? Vector3.Zero;
         }

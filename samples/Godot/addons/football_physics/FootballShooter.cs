@@ -4,7 +4,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
+/// <summary>Shoots by mouse: press at the target and hold; a longer press gives a faster shot. With the right button, the ball bends to the left. R resets the ball.</summary>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballShooter : Node
 {
@@ -12,11 +12,11 @@ public partial class FootballShooter : Node
     private double _held;
     private bool _bends;
 
-    /// <summary>The ball; none: the first in the tree.</summary>
+    /// <summary>The ball; empty: the first in the tree.</summary>
     [Export]
     public FootballBall? Ball { get; set; }
 
-    /// <summary>Shows the aimed kick; none: it is not shown.</summary>
+    /// <summary>The node that shows the aimed kick; empty: the kick is not shown.</summary>
     [Export]
     public FootballPath? Path { get; set; }
 
@@ -75,7 +75,7 @@ public partial class FootballShooter : Node
 
     private float Speed() => Slowest + ((Fastest - Slowest) * MathF.Min(1, (float)_held / Longest));
 
-    /// <summary>The direction from the ball to the mouse pointer, at the distance of the goal, with the extra elevation.</summary>
+    /// <summary>Returns the direction from the ball to the mouse pointer, at the distance of the goal, with the extra elevation.</summary>
     private Vector3 Aimed(Camera3D view, Vector3 place)
     {
         Vector2 at = GetViewport().GetMousePosition();

@@ -51,7 +51,7 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>All of them, in an order that is the same on every machine.</summary>
+    /// <summary>Returns all objects, in the same order on every machine.</summary>
     internal static List<FootballThing> InOrder()
     {
         var things = new List<FootballThing>(s_all);
@@ -81,12 +81,12 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>Called before the editor reloads the project's code.</summary>
+    /// <summary>Called by Godot before the editor reloads the project's code.</summary>
     public void OnBeforeSerialize()
     {
     }
 
-    /// <summary>Called when it has: what was static is empty then.</summary>
+    /// <summary>Called by Godot after the reload, which clears static fields.</summary>
     public void OnAfterDeserialize()
     {
         if (IsInsideTree() && !s_all.Contains(this))
@@ -95,16 +95,16 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>Adds it to the scene of a ball.</summary>
+    /// <summary>Adds the object to the scene of a ball.</summary>
     internal abstract void AddTo(FootballScene scene);
 
-    /// <summary>Draws its colliders.</summary>
+    /// <summary>Draws the colliders of the object.</summary>
     internal abstract void Draw(FootballDrawing drawing);
 
-    /// <summary>A number that changes when any of its properties does.</summary>
+    /// <summary>Returns a number that changes when any property of the object changes.</summary>
     internal abstract int StampOfFields();
 
-    /// <summary>How it is turned, without its scale.</summary>
+    /// <summary>The rotation of the object, without its scale.</summary>
     internal Quaterniond Turn => GodotFrame.FromGodot(GlobalTransform.Basis.GetRotationQuaternion());
 
     private void Redraw()

@@ -6,19 +6,19 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A wall of players side by side along x, who stand still and stop a ball.</summary>
+/// <summary>A wall of players who stand side by side along x and stop a ball.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballWall : FootballThing
 {
-    /// <summary>Number of players.</summary>
+    /// <summary>The number of players.</summary>
     [Export(PropertyHint.Range, "1,11,1")]
     public int Players { get; set; } = 5;
 
-    /// <summary>Distance from player to player, m; each is half a metre wide.</summary>
+    /// <summary>The distance between the centres of two players, m; each is half a metre wide.</summary>
     [Export(PropertyHint.Range, "0.3,3,0.01,suffix:m")]
     public float Spacing { get; set; } = 0.52f;
 
-    /// <summary>Colour of the shirts.</summary>
+    /// <summary>The colour of the shirts.</summary>
     [Export]
     public Color Shirts { get; set; } = new(0.78f, 0.16f, 0.2f);
 

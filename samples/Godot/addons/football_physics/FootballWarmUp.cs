@@ -12,15 +12,15 @@ public static class FootballWarmUp
 
     private static Task? s_done;
 
-    /// <summary>Ends when everything is compiled.</summary>
+    /// <summary>A task that ends when all code is compiled.</summary>
     public static Task Done => s_done ?? Task.CompletedTask;
 
-    /// <summary>Starts it once; called by the first ball that enters the tree.</summary>
+    /// <summary>Starts the compilation once. The first ball that enters the tree calls it.</summary>
     public static void Begin() => s_done ??= Task.Run(Run);
 
     private static void Run()
     {
-        // A scene of its own: a simulator with bodies or colliders is for one thread.
+        // Use a separate scene: a simulator with bodies or colliders belongs to one thread.
         var simulator = new Simulator(Pitch.Standard.On());
         simulator.WarmUp();
         Thread.Sleep(Pause);

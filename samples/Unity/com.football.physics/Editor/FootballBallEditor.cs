@@ -4,11 +4,11 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>The inspector of a ball. While the game runs it shows the ball's state, before that the kick, with a handle in the scene and the path.</summary>
+    /// <summary>The inspector of a ball. While the game runs, it shows the ball's state; otherwise the kick, with a handle in the scene and the path.</summary>
     [CustomEditor(typeof(FootballBall))]
     public sealed class FootballBallEditor : UnityEditor.Editor
     {
-        /// <summary>Length of the handle's arm for 1 m/s, m.</summary>
+        /// <summary>The length of the handle's arm per 1 m/s of speed, m.</summary>
         private const float ArmLength = 0.1f;
 
         private readonly Vector3[] _path = new Vector3[512];

@@ -3,54 +3,54 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>GameObject → Football: the prefabs of the package, at useful positions.</summary>
+    /// <summary>The menu GameObject → Football, which adds the prefabs of the package at useful positions.</summary>
     public static class FootballMenu
     {
         private const string Prefabs = "Packages/com.football.physics/Prefabs/";
 
-        /// <summary>A ball.</summary>
+        /// <summary>Adds a ball.</summary>
         [MenuItem("GameObject/Football/Football", false, 10)]
         public static void AddBall(MenuCommand command)
         {
             Add("Football", command);
         }
 
-        /// <summary>A goal, 20 m ahead of the origin.</summary>
+        /// <summary>Adds a goal, 20 m ahead of the origin.</summary>
         [MenuItem("GameObject/Football/Goal", false, 11)]
         public static void AddGoal(MenuCommand command)
         {
             Add("Goal", command);
         }
 
-        /// <summary>A pitch by Law 1 with its two goals.</summary>
+        /// <summary>Adds a pitch by Law 1 with its two goals.</summary>
         [MenuItem("GameObject/Football/Pitch with Goals", false, 12)]
         public static void AddPitch(MenuCommand command)
         {
             Add("Pitch", command);
         }
 
-        /// <summary>A pitch of futsal with its two goals.</summary>
+        /// <summary>Adds a futsal pitch with its two goals.</summary>
         [MenuItem("GameObject/Football/Futsal Pitch with Goals", false, 13)]
         public static void AddFutsalPitch(MenuCommand command)
         {
             Add("Futsal Pitch", command);
         }
 
-        /// <summary>A wall of five.</summary>
+        /// <summary>Adds a wall of five players.</summary>
         [MenuItem("GameObject/Football/Wall", false, 14)]
         public static void AddWall(MenuCommand command)
         {
             Add("Wall", command);
         }
 
-        /// <summary>A goalkeeper.</summary>
+        /// <summary>Adds a goalkeeper.</summary>
         [MenuItem("GameObject/Football/Keeper", false, 15)]
         public static void AddKeeper(MenuCommand command)
         {
             Add("Keeper", command);
         }
 
-        /// <summary>Shooting by mouse, with the path and a score.</summary>
+        /// <summary>Adds shooting by mouse, with the path and a score.</summary>
         [MenuItem("GameObject/Football/Shooting by Mouse", false, 16)]
         public static void AddShooting(MenuCommand command)
         {

@@ -13,9 +13,9 @@ namespace FootballPhysics.Unity.Editor
 
         private static XDocument s_documentation;
 
-        /// <summary>The summary and the remarks of a preset; empty if the documentation is not available.</summary>
-        /// <param name="type">The class that has it: "BallProperties", "Ground".</param>
-        /// <param name="name">Its name.</param>
+        /// <summary>Returns the summary and the remarks of a preset; empty if the documentation is not available.</summary>
+        /// <param name="type">The class of the preset: "BallProperties", "Ground".</param>
+        /// <param name="name">The name of the preset.</param>
         public static string Of(string type, string name)
         {
             if (s_documentation == null)
@@ -36,7 +36,7 @@ namespace FootballPhysics.Unity.Editor
                 .SelectMany(part => Text(part).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries)));
         }
 
-        /// <summary>The text, with the last part of each referenced name.</summary>
+        /// <summary>Returns the text of an element, with the last part of each referenced name.</summary>
         private static string Text(XElement element)
         {
             return string.Concat(element.Nodes().Select(node => node is XElement inner ? Name((string)inner.Attribute("cref")) + inner.Value : node.ToString()));

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>Window → Football → Replay: plays a recording, seeks to any tick, and checks that this machine reproduces it bit for bit.</summary>
+    /// <summary>The window Window → Football → Replay: plays a recording, seeks to any tick, and checks that this machine reproduces it bit for bit.</summary>
     public sealed class FootballReplayWindow : EditorWindow
     {
         private FootballBall _ball;
@@ -17,7 +17,7 @@ namespace FootballPhysics.Unity.Editor
         private bool _plays;
         private double _clock;
 
-        /// <summary>The recording that is shown; null if there is none.</summary>
+        /// <summary>The recording that the window shows; null if there is none.</summary>
         public RecordingPlayer Player => _player;
 
         /// <summary>The result of the last check.</summary>
@@ -31,7 +31,7 @@ namespace FootballPhysics.Unity.Editor
         }
 
         /// <summary>Loads a recording for the scene of a ball: its preset and the goals, pitches, walls and keepers.</summary>
-        /// <param name="bytes">What Recording.ToBytes wrote.</param>
+        /// <param name="bytes">The bytes that Recording.ToBytes returned.</param>
         /// <param name="ball">The ball.</param>
         public void Load(byte[] bytes, FootballBall ball)
         {

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The library's shapes of Unity's colliders, in the frame of their transform without its scale.</summary>
+    /// <summary>Converts Unity's colliders to the library's shapes, in the frame of their transform without its scale.</summary>
     internal static class ColliderShapes
     {
         /// <summary>True if the library has the shape of the collider.</summary>
@@ -14,7 +14,7 @@ namespace FootballPhysics.Unity
             return collider is SphereCollider || collider is CapsuleCollider || collider is BoxCollider;
         }
 
-        /// <summary>A collider as the ball sees it; its surface is that of a FootballSurface on its game object.</summary>
+        /// <summary>Converts a collider. Its surface is that of the FootballSurface on its game object.</summary>
         /// <param name="collider">The collider.</param>
         /// <param name="mass">The mass in impacts, kg; infinite if the collider does not move.</param>
         public static EngineCollider Make(Collider collider, double mass)

@@ -5,13 +5,13 @@ namespace FootballPhysics.Unity
 {
     /// <summary>Adds the air of a football to a Rigidbody that Unity moves: drag, Magnus force, spin decay, wind and buoyancy.</summary>
     /// <remarks>
-    /// Unity keeps moving the body, with its own bounces and its own gravity. The forces are accelerations: they are those of the preset's ball, whatever the mass of the body.
-    /// The component sets the damping of the body to 0 and raises its greatest angular velocity, which is 7 rad/s in a new body.
+    /// Unity keeps moving the body, with its own bounces and its own gravity. The forces are accelerations of the preset's ball, whatever the mass of the body.
+    /// The component sets the damping of the body to 0 and raises its maximum angular velocity, which is 7 rad/s in a new body.
     /// </remarks>
     [AddComponentMenu("Football/Football Air"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
     public sealed class FootballAir : MonoBehaviour
     {
-        /// <summary>The greatest angular velocity that the body gets, rad/s: more than any kick gives.</summary>
+        /// <summary>The maximum angular velocity that the component sets, rad/s; higher than the spin of any kick.</summary>
         private const float FastestSpin = 200f;
 
         [SerializeField, Tooltip("Ball and air; empty: a match ball in still air at sea level. Its ground and time step do not count here.")]
@@ -24,21 +24,21 @@ namespace FootballPhysics.Unity
         private Rigidbody _body;
         private int _stamp;
 
-        /// <summary>The preset. A new one, and any change of it, counts from the next physics step on.</summary>
+        /// <summary>The preset. A change takes effect in the next physics step.</summary>
         public FootballPreset Preset
         {
             get => preset;
             set => preset = value;
         }
 
-        /// <summary>True adds the buoyancy of the ball.</summary>
+        /// <summary>True to add the buoyancy of the ball.</summary>
         public bool Buoyancy
         {
             get => buoyancy;
             set => buoyancy = value;
         }
 
-        /// <summary>The velocity that Unity has for the body, m/s.</summary>
+        /// <summary>The velocity of the body in Unity, m/s.</summary>
         private Vector3 Velocity
         {
 #if UNITY_6000_0_OR_NEWER
@@ -55,7 +55,7 @@ namespace FootballPhysics.Unity
 
         private Vector3d Lift => buoyancy ? _air.Buoyancy / _air.Scene.Ball.Mass : Vector3d.Zero;
 
-        /// <summary>Kicks the body: sets its velocity, m/s, and its spin, rad/s. It corrects the velocity for Unity's steps, so that the path is that of the library.</summary>
+        /// <summary>Kicks the body: sets its velocity, m/s, and its spin, rad/s. It corrects the velocity for Unity's steps, so that the path matches the library's.</summary>
         public void Kick(Vector3 velocity, Vector3 spin)
         {
             Prepare();
@@ -97,7 +97,7 @@ namespace FootballPhysics.Unity
             return UnityFrame.FromUnity(transform.position);
         }
 
-        /// <summary>Takes over a changed preset. If the preset is out of range, it reports that once and keeps the last one.</summary>
+        /// <summary>Applies a changed preset. If the preset is out of range, reports that once and keeps the previous one.</summary>
         private void Prepare()
         {
             if (_body == null)

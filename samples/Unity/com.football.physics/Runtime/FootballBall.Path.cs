@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <content>Where the ball goes.</content>
+    /// <content>Predictions of the ball's path.</content>
     public sealed partial class FootballBall
     {
         private readonly StepLog _log = new StepLog();
@@ -11,9 +11,9 @@ namespace FootballPhysics.Unity
         private FootballScene _preview;
         private int _previewStamp;
 
-        /// <summary>The path ahead, if nobody touches the ball: a point every step, the present one first. Keepers are left out. Allocates nothing.</summary>
-        /// <param name="points">Filled from the start.</param>
-        /// <returns>How many points were filled in; fewer than there is room for when the ball comes to rest.</returns>
+        /// <summary>Predicts the path of the ball without keepers: one point per step, beginning with the current position. Allocates nothing.</summary>
+        /// <param name="points">Receives the points.</param>
+        /// <returns>The number of points written. It is smaller than the length of the span if the ball comes to rest.</returns>
         public int PredictPath(Span<Vector3> points)
         {
             FixedStepRunner runner = Runner;
@@ -22,11 +22,11 @@ namespace FootballPhysics.Unity
             return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), _runner.TimeStep, points);
         }
 
-        /// <summary>The path of a kick from where the ball is, in a game that runs. Allocates nothing.</summary>
+        /// <summary>Predicts the path of a kick from the ball's position, while the game runs. Allocates nothing.</summary>
         /// <param name="velocity">Velocity, m/s.</param>
         /// <param name="spin">Spin, rad/s.</param>
-        /// <param name="points">Filled from the start.</param>
-        /// <returns>How many points were filled in.</returns>
+        /// <param name="points">Receives the points.</param>
+        /// <returns>The number of points written.</returns>
         public int PredictKick(Vector3 velocity, Vector3 spin, Span<Vector3> points)
         {
             FixedStepRunner runner = Runner;
@@ -37,9 +37,9 @@ namespace FootballPhysics.Unity
             return Follow(_scene.Stage.Ahead, state, _runner.TimeStep, points);
         }
 
-        /// <summary>The path of the kick that the editor shows, from where the ball is; without a game running. It follows the preset, goals, walls and colliders. Allocates nothing but where they change.</summary>
-        /// <param name="points">Filled from the start.</param>
-        /// <returns>How many points were filled in.</returns>
+        /// <summary>Predicts the path of the kick that the editor shows, from the ball's position, without a running game. It follows changes of the preset, goals, walls and colliders, and allocates only after such a change.</summary>
+        /// <param name="points">Receives the points.</param>
+        /// <returns>The number of points written.</returns>
         public int PreviewPath(Span<Vector3> points)
         {
             int stamp = Stamp();

@@ -5,10 +5,10 @@ namespace FootballPhysics.Unity
     /// <content>The events of the ball.</content>
     public sealed partial class FootballBall
     {
-        /// <summary>Something happened to the ball; the events below are by kind.</summary>
+        /// <summary>Raised for every event of the ball. The events below are raised by kind.</summary>
         public event Action<FootballBall, FootballEvent> Happened;
 
-        /// <summary>The ball hit something: the ground, a post, a wall.</summary>
+        /// <summary>The ball hit an object: the ground, a post, a wall.</summary>
         public event Action<FootballBall, FootballEvent> Impact;
 
         /// <summary>The ball began to slide on a surface.</summary>

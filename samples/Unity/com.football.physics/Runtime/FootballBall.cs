@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A football on a game object: stepped in FixedUpdate in the time of the game, drawn in Update, all in Unity's frame.</summary>
+    /// <summary>A football on a game object that steps in FixedUpdate, in the time of the game, and draws in Update. All values are in Unity's frame.</summary>
     /// <remarks>
-    /// The library moves it, so its Rigidbody is kinematic; it is there for triggers and for what else asks for bodies. It meets every goal, pitch, wall and keeper of the scene, and
-    /// the colliders in the layers of Hits. Whatever is set, of it, of its preset or of those, counts from its next step on.
+    /// The library moves the ball, so its Rigidbody is kinematic; it serves triggers and other code that needs bodies. The ball hits every goal, pitch, wall and keeper of the scene, and
+    /// the colliders in the layers of Hits. Changes of the ball, its preset or these objects take effect in the next step.
     /// </remarks>
     [AddComponentMenu("Football/Football Ball"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
     public sealed partial class FootballBall : MonoBehaviour
@@ -16,7 +16,7 @@ namespace FootballPhysics.Unity
         /// <summary>The tolerance of the time of a step, as a fraction of the step, because Unity's clock adds single-precision numbers.</summary>
         private const double AlmostDue = 1e-3;
 
-        /// <summary>If the node is farther than this from its drawn position, m, other code moved it.</summary>
+        /// <summary>If the object is farther than this from its drawn position, m, other code moved it.</summary>
         private const float Moved = 1e-3f;
 
         private static readonly ProfilerMarker s_step = new ProfilerMarker("Football.Step");
@@ -57,7 +57,7 @@ namespace FootballPhysics.Unity
             set => preset = value;
         }
 
-        /// <summary>Layers whose colliders the ball hits: new ones count from the next step on.</summary>
+        /// <summary>The layers whose colliders the ball hits. A change takes effect in the next step.</summary>
         public LayerMask Hits
         {
             get => hits;
@@ -77,10 +77,10 @@ namespace FootballPhysics.Unity
         /// <summary>Radius of the ball, m.</summary>
         public float Radius => (float)(preset != null ? preset.BallOf() : BallProperties.Modern).Radius;
 
-        /// <summary>Length of a step, s: the preset's.</summary>
+        /// <summary>The length of a step, s, from the preset.</summary>
         public double TimeStep => preset != null ? preset.timeStep : FootballPreset.DefaultTimeStep;
 
-        /// <summary>The fixed-step runner behind the component: state, tick, kicks by tick, rollback. In the library's frame. A preset with another time step makes a new one.</summary>
+        /// <summary>The fixed-step runner behind the component: state, tick, kicks by tick, rollback. It uses the library's frame. A preset with another time step creates a new runner.</summary>
         /// <exception cref="InvalidOperationException">Awake has not run yet.</exception>
         public FixedStepRunner Runner => _runner
             ?? throw new InvalidOperationException("The football \"" + name + "\" has no Awake behind it yet: use it from Start on, and only while its game object is active.");
@@ -88,7 +88,7 @@ namespace FootballPhysics.Unity
         /// <summary>Velocity, m/s.</summary>
         public Vector3 Velocity => UnityFrame.ToUnity(Runner.State.Velocity);
 
-        /// <summary>Spin, rad/s, as Rigidbody.angularVelocity has it.</summary>
+        /// <summary>The spin, rad/s, in the convention of Rigidbody.angularVelocity.</summary>
         public Vector3 Spin => UnityFrame.SpinToUnity(Runner.State.Spin);
 
         /// <summary>The motion state of the ball.</summary>
@@ -120,7 +120,7 @@ namespace FootballPhysics.Unity
         }
 
         /// <summary>Applies changes to the ball, its preset or the scene at once. Otherwise they take effect before the next step.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name. The ball keeps its previous settings.</exception>
         public void Apply()
         {
             using (s_compile.Auto())
@@ -128,7 +128,7 @@ namespace FootballPhysics.Unity
                 _stamp = Stamp();
                 TryGetComponent(out Rigidbody own);
 
-                // All of the new before any of the old goes: what is refused changes nothing.
+                // Create all new objects before replacing the old ones, so that a rejected value changes nothing.
                 var scene = new FootballScene(preset, hits.value, greatestSpeed, own);
                 bool begins = _runner == null;
                 if (begins)
@@ -150,7 +150,7 @@ namespace FootballPhysics.Unity
         }
 
         /// <summary>Compiles a new simulator for the ball's scene: its preset, and the enabled goals, pitches, walls and keepers, without colliders.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name.</exception>
         public Simulator CompileScene()
         {
             return new FootballScene(preset, 0, 0f, null).Stage.Game;
@@ -186,13 +186,13 @@ namespace FootballPhysics.Unity
                 ApplyChanges();
                 if (_runner == null)
                 {
-                    return;     // its first scene was invalid, which was reported; the next valid one starts it
+                    return;     // the first scene was invalid, which was reported; the next valid one starts the ball
                 }
 
                 _elapsed += Time.fixedDeltaTime;
                 _scene.GreatestSpeed = greatestSpeed;
 
-                // Unity has moved its bodies to where they are at this time, on the clock of the ball.
+                // The positions of Unity's bodies hold at this time, on the clock of the ball.
                 _scene.CollidersAreAt(_runner.State.Time);
                 while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
                 {
@@ -202,7 +202,7 @@ namespace FootballPhysics.Unity
                     _scene.Stage.AfterStep(_runner.State);
                     for (int i = 0; i < _runner.Events.Count; i++)
                     {
-                        FootballEvent happened = _scene.Tell(in _runner.Events[i]);
+                        FootballEvent happened = _scene.Convert(in _runner.Events[i]);
                         _scene.Push(in happened);
                         Raise(happened);
                     }
@@ -255,7 +255,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Goes on in steps of another length: from this tick on, with the kicks that wait.</summary>
+        /// <summary>Continues from this tick with another step length, and keeps the pending kicks.</summary>
         private void StepBy(double timeStep)
         {
             if (_runner.TimeStep == timeStep)

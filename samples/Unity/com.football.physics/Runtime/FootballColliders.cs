@@ -6,10 +6,10 @@ using UnityEngine;
 namespace FootballPhysics.Unity
 {
     /// <summary>
-    /// Unity's colliders as the ball meets them, found by Physics.SphereCastNonAlloc. Spheres, capsules and boxes are met exactly as they are; anything else (meshes,
-    /// terrain) as the plane that it is like where the ball would touch it. Triggers are none.
+    /// Unity's colliders as colliders of the ball, found by Physics.SphereCastNonAlloc. Spheres, capsules and boxes have their exact shapes. Any other shape (meshes,
+    /// terrain) acts as its tangent plane at the point that the ball would touch. Triggers are ignored.
     /// </summary>
-    /// <remarks>A collider's scale, and the surface of its game object, are those of when it was first met.</remarks>
+    /// <remarks>The scale of a collider, and the surface of its game object, are read when the ball first hits it.</remarks>
     public sealed class FootballColliders : IEngineColliders
     {
         /// <summary>The reduction of the ball's radius for casts against meshes, so that the surface below the ball does not block the cast.</summary>
@@ -24,11 +24,11 @@ namespace FootballPhysics.Unity
         private RaycastHit[] _exact = new RaycastHit[16];
         private Collider[] _near = new Collider[16];
 
-        /// <summary>For a ball.</summary>
-        /// <param name="own">The ball's own body, which it does not hit.</param>
-        /// <param name="layers">The layers that it hits, as a LayerMask.</param>
-        /// <param name="greatestSpeed">Not slower than the fastest point of any of them, m/s, with its rotation.</param>
-        /// <param name="pushes">True if dynamic bodies react with their mass. The event has the impulse, which the game applies.</param>
+        /// <summary>Creates the colliders for a ball.</summary>
+        /// <param name="own">The ball's own body, which the ball does not hit.</param>
+        /// <param name="layers">The layers that the ball hits, as a LayerMask.</param>
+        /// <param name="greatestSpeed">An upper bound of the speed of any point of the colliders, m/s, including rotation.</param>
+        /// <param name="pushes">True if dynamic bodies react with their mass. The event contains the impulse, which the game applies.</param>
         public FootballColliders(Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
         {
             _pushes = pushes;
@@ -37,13 +37,13 @@ namespace FootballPhysics.Unity
             MaximumSpeed = greatestSpeed;
         }
 
-        /// <summary>When Unity has its colliders where they are, on the ball's clock, s: set before every step.</summary>
+        /// <summary>The time at which the positions of Unity's colliders hold, on the ball's clock, s. Set it before every step.</summary>
         public double Time { get; set; }
 
-        /// <summary>Not slower than the fastest point of any of them, m/s, with its rotation.</summary>
+        /// <summary>An upper bound of the speed of any point of the colliders, m/s, including rotation.</summary>
         public double MaximumSpeed { get; set; }
 
-        /// <summary>Unity's collider of one that was met; null for none.</summary>
+        /// <summary>Returns Unity's collider of a library collider; null if there is none.</summary>
         public Collider Of(EngineCollider collider)
         {
             return collider != null && _engines.TryGetValue(collider, out Collider met) ? met : null;
@@ -57,7 +57,7 @@ namespace FootballPhysics.Unity
             var radius = (float)cast.Radius;
             var distance = (float)cast.Distance;
 
-            // First the colliders that overlap the sphere at the start, then those on its path.
+            // First add the colliders that overlap the sphere at the start, then those on its path.
             int near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
             while (near == _near.Length)
             {
@@ -113,7 +113,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>The contact of the ball with a mesh: the present one, or the first one on its path.</summary>
+        /// <summary>Finds the contact of the ball with a mesh: the current one, or the first one on its path.</summary>
         private bool TryTouch(Collider collider, in SphereCast cast, out Vector3 point, out Vector3 normal)
         {
             Vector3 from = UnityFrame.ToUnity(cast.From);
@@ -142,7 +142,7 @@ namespace FootballPhysics.Unity
             return found;
         }
 
-        /// <summary>The plane closest to the ball's centre, among those hit by rays ahead and down.</summary>
+        /// <summary>Finds the plane closest to the ball's centre, among those hit by rays ahead and down.</summary>
         private static bool Nearest(Collider collider, Vector3 from, float reach, Vector3 direction, out Vector3 point, out Vector3 normal)
         {
             point = Vector3.zero;

@@ -7,7 +7,7 @@ using UnityEngine.SceneManagement;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The drawing of an object: separate objects in its scene, created when it is enabled and never saved, because children must not be created or destroyed while their parent is enabled or disabled.</summary>
+    /// <summary>The drawing of an object. It consists of separate objects in the scene, which are never saved. They are created when the object is enabled, because children must not be created or destroyed while their parent is enabled or disabled.</summary>
     internal sealed class FootballDrawing
     {
         private static Vector3[] s_room = Array.Empty<Vector3>();
@@ -17,7 +17,7 @@ namespace FootballPhysics.Unity
         private readonly GameObject _owner;
         private readonly Material _material;
 
-        /// <summary>A drawing of an object; its material, or null for that of the render pipeline.</summary>
+        /// <summary>Creates the drawing of an object with a material; null for the default of the render pipeline.</summary>
         public FootballDrawing(GameObject owner, Material material)
         {
             _owner = owner;
@@ -37,13 +37,13 @@ namespace FootballPhysics.Unity
             mesh.RecalculateBounds();
         }
 
-        /// <summary>Adds a surface where it is; gives its transform, by which it can be moved.</summary>
+        /// <summary>Adds a surface at its position, and returns its transform, by which it can be moved.</summary>
         public Transform Add(string name, ShapeMesh shape, Color color)
         {
             return Part(name, Fill(shape), Made(color, null)).transform;
         }
 
-        /// <summary>Adds a net, and gives its mesh.</summary>
+        /// <summary>Adds a net, and returns its mesh.</summary>
         public Mesh AddThreads(string name, NetMesh net, Color color)
         {
             var mesh = new Mesh { name = name, hideFlags = HideFlags.HideAndDontSave, indexFormat = IndexFormat.UInt32 };
@@ -69,7 +69,7 @@ namespace FootballPhysics.Unity
             return line;
         }
 
-        /// <summary>The pattern of a ball as a texture, one for all.</summary>
+        /// <summary>Returns the pattern of a ball as a texture, which all balls share.</summary>
         public static Texture2D BallTexture()
         {
             if (s_texture != null)
@@ -85,7 +85,7 @@ namespace FootballPhysics.Unity
             {
                 for (int x = 0; x < Width; x++)
                 {
-                    // Unity's textures begin at the bottom.
+                    // Unity's textures begin at the bottom row.
                     byte at = bright[((Height - 1 - y) * Width) + x];
                     pixels[(y * Width) + x] = new Color32(at, at, at, 255);
                 }
@@ -97,7 +97,7 @@ namespace FootballPhysics.Unity
             return s_texture;
         }
 
-        /// <summary>Takes all of it away.</summary>
+        /// <summary>Removes all parts of the drawing.</summary>
         public void Clear()
         {
             foreach (UnityEngine.Object made in _made)
@@ -135,7 +135,7 @@ namespace FootballPhysics.Unity
             return part;
         }
 
-        /// <summary>A surface as a mesh.</summary>
+        /// <summary>Converts a surface to a mesh.</summary>
         public Mesh Fill(ShapeMesh shape)
         {
             int count = shape.Points.Length;
@@ -163,7 +163,7 @@ namespace FootballPhysics.Unity
             return mesh;
         }
 
-        /// <summary>A copy of the material that is given, or of the render pipeline's own, in a colour.</summary>
+        /// <summary>Returns a copy of the given material, or of the default of the render pipeline, in a colour.</summary>
         public Material Made(Color color, Texture2D texture)
         {
             RenderPipelineAsset pipeline = GraphicsSettings.currentRenderPipeline;

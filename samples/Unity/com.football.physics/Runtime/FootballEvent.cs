@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Something that happened to a ball, in Unity's frame.</summary>
+    /// <summary>An event of a ball, in Unity's frame.</summary>
     public readonly struct FootballEvent
     {
         internal FootballEvent(in BallEvent happened, string surface, Vector3 impulse, FootballGoal goal, Collider collider)
@@ -31,7 +31,7 @@ namespace FootballPhysics.Unity
         /// <summary>The normal of the contact, from the object to the ball; zero if there is no contact.</summary>
         public Vector3 Normal { get; }
 
-        /// <summary>When, s of the ball's own time: exact, inside the fixed step.</summary>
+        /// <summary>The exact time inside the fixed step, s, on the ball's clock.</summary>
         public double Time { get; }
 
         /// <summary>The position of the ball's centre, m.</summary>
@@ -49,16 +49,16 @@ namespace FootballPhysics.Unity
         /// <summary>Spin just after, rad/s.</summary>
         public Vector3 Spin { get; }
 
-        /// <summary>The impulse on the ball, N s; the object gets the opposite one. Zero if the event is not an impact.</summary>
+        /// <summary>The impulse on the ball, N s; the other object gets the opposite one. Zero if the event is not an impact.</summary>
         public Vector3 Impulse { get; }
 
-        /// <summary>Speed against what was hit, along the normal, m/s: how loud it is.</summary>
+        /// <summary>The speed relative to the other object along the normal, m/s; for example for the volume of a sound.</summary>
         public float ApproachSpeed { get; }
 
         /// <summary>The goal of the event; null if there is none.</summary>
         public FootballGoal Goal { get; }
 
-        /// <summary>The collider of Unity's that was hit; null for none.</summary>
+        /// <summary>Unity's collider that the ball hit; null if there is none.</summary>
         public Collider Collider { get; }
     }
 }

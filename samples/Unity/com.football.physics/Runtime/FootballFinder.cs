@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Finds objects that a component needs and that are not set in the inspector.</summary>
+    /// <summary>Finds objects that a component needs and that the inspector does not set.</summary>
     internal static class FootballFinder
     {
-        /// <summary>The first ball of the scene; null if there is none.</summary>
+        /// <summary>Returns the first ball of the scene; null if there is none.</summary>
         public static FootballBall Ball()
         {
 #if UNITY_2023_1_OR_NEWER
@@ -15,7 +15,7 @@ namespace FootballPhysics.Unity
 #endif
         }
 
-        /// <summary>All goals of the scene.</summary>
+        /// <summary>Returns all goals of the scene.</summary>
         public static FootballGoal[] Goals()
         {
 #if UNITY_6000_4_OR_NEWER

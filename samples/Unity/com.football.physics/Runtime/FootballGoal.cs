@@ -6,8 +6,8 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A goal: posts and bar that stop a ball, a net that bulges and is drawn so, and events when a ball is in. It opens towards its own back (−z), so that who looks along z shoots at it.</summary>
-    /// <remarks>Its transform is the middle of the goal line on the ground; its scale does not count.</remarks>
+    /// <summary>A goal: posts and a crossbar that stop the ball, a net that bulges, and events for goals. It opens towards its own back (−z), so a player who looks along z shoots at it.</summary>
+    /// <remarks>Its position is the centre of the goal line on the ground. Its scale is ignored.</remarks>
     [AddComponentMenu("Football/Football Goal"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballGoal : FootballThing
     {
@@ -59,7 +59,7 @@ namespace FootballPhysics.Unity
         /// <summary>Radius of posts and bar, m.</summary>
         public float PostRadius { get => postRadius; set => postRadius = value; }
 
-        /// <summary>True for a goal with nets.</summary>
+        /// <summary>True if the goal has nets. Without nets, the ball flies through.</summary>
         public bool HasNet { get => hasNet; set => hasNet = value; }
 
         /// <summary>The number of goals since the scene started.</summary>
@@ -67,8 +67,8 @@ namespace FootballPhysics.Unity
 
         internal override int Order => 1;
 
-        /// <summary>The goal as the library has it, in its frame.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">It does not stand upright: its opening faces up or down.</exception>
+        /// <summary>Converts the goal to the library's type, in its frame.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The goal is not upright: its opening faces up or down.</exception>
         public Goal ToGoal()
         {
             Vector3d opening = UnityFrame.FromUnity(transform.rotation * new Vector3(0f, 0f, -1f)).Horizontal;
@@ -121,9 +121,9 @@ namespace FootballPhysics.Unity
             _meshes = meshes.ToArray();
         }
 
-        /// <summary>Draws the bulge of the nets.</summary>
+        /// <summary>Draws the bulges of the nets.</summary>
         /// <param name="bulges">The bulges of the scene.</param>
-        /// <param name="first">The first of this goal.</param>
+        /// <param name="first">The index of this goal's first bulge.</param>
         internal void Follow(NetBulges bulges, int first)
         {
             for (int i = 0; i < _nets.Length; i++)

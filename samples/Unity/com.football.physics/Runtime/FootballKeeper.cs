@@ -45,7 +45,7 @@ namespace FootballPhysics.Unity
         /// <summary>Reach of a dive, m.</summary>
         public float Reach { get => reach; set => reach = value; }
 
-        /// <summary>The number of shots he dived for, for the ball that was stepped last.</summary>
+        /// <summary>The number of shots that he dived for, for the ball that was stepped last.</summary>
         public int Dives { get; private set; }
 
         internal override int Order => 3;
@@ -75,7 +75,7 @@ namespace FootballPhysics.Unity
             _figure.SetPositionAndRotation(UnityFrame.ToUnity(upright), Quaternion.identity);
         }
 
-        /// <summary>Draws him as he dives.</summary>
+        /// <summary>Draws him in the pose of his dive.</summary>
         internal void Follow(KeeperDive dive)
         {
             Dives = dive.Count;

@@ -3,31 +3,31 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A kick in numbers, for the inspector.</summary>
+    /// <summary>The numbers of a kick, for the inspector.</summary>
     [Serializable]
     public sealed class FootballKick
     {
-        /// <summary>m/s.</summary>
+        /// <summary>The speed, m/s.</summary>
         [Range(0f, 60f), Tooltip("Ball speed, m/s; 30 is a hard shot.")]
         public float speed = 25f;
 
-        /// <summary>Degrees above the horizontal.</summary>
+        /// <summary>The angle above the horizontal, degrees.</summary>
         [Range(-90f, 90f), Tooltip("Angle above the horizontal, degrees.")]
         public float elevation = 15f;
 
-        /// <summary>Degrees to the right of forward, as Unity turns about y.</summary>
+        /// <summary>The angle to the right of forward, degrees, in the direction of Unity's rotations about y.</summary>
         [Range(-180f, 180f), Tooltip("Angle to the right of forward (z), degrees.")]
         public float heading;
 
-        /// <summary>rad/s; negative is backspin.</summary>
+        /// <summary>The topspin, rad/s; negative is backspin.</summary>
         [Range(-200f, 200f), Tooltip("Topspin, rad/s: positive makes the ball dip, negative is backspin.")]
         public float topSpin;
 
-        /// <summary>rad/s; positive bends to the left.</summary>
+        /// <summary>The sidespin, rad/s; positive bends to the left.</summary>
         [Range(-200f, 200f), Tooltip("Sidespin, rad/s: positive bends the ball to the left.")]
         public float sideSpin;
 
-        /// <summary>Its direction, in Unity's frame.</summary>
+        /// <summary>The direction of the kick, in Unity's frame.</summary>
         public Vector3 Direction
         {
             get
@@ -38,7 +38,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Takes speed and angles from a velocity.</summary>
+        /// <summary>Sets speed and angles from a velocity.</summary>
         public void Set(Vector3 velocity)
         {
             speed = velocity.magnitude;

@@ -3,12 +3,12 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The path ahead in the game view: a line for the ball, and around it a cone for the spread of the player's kicks.</summary>
+    /// <summary>Shows the predicted path in the game view: a line for the ball, and a cone around it for the spread of the player's kicks.</summary>
     /// <remarks>It shows the kick of <see cref="Show"/> during aiming, and otherwise the path of the flying ball.</remarks>
     [AddComponentMenu("Football/Football Path"), DisallowMultipleComponent]
     public sealed class FootballPath : MonoBehaviour
     {
-        /// <summary>Lines of the cone.</summary>
+        /// <summary>The number of lines of the cone.</summary>
         public const int Sides = 8;
 
         [SerializeField, Tooltip("The ball; empty: the first in the scene.")]
@@ -42,10 +42,10 @@ namespace FootballPhysics.Unity
         /// <summary>The material for drawing; null: the default of the render pipeline. A change takes effect when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>The line of the path, and then those of the cone.</summary>
+        /// <summary>The line of the path, followed by the lines of the cone.</summary>
         public LineRenderer[] Lines => _lines;
 
-        /// <summary>Shows a kick that is aimed, until <see cref="Hide"/>.</summary>
+        /// <summary>Shows an aimed kick, until <see cref="Hide"/>.</summary>
         /// <param name="velocity">Velocity, m/s.</param>
         /// <param name="spin">Spin, rad/s.</param>
         public void Show(Vector3 velocity, Vector3 spin)
@@ -55,7 +55,7 @@ namespace FootballPhysics.Unity
             _spin = spin;
         }
 
-        /// <summary>Shows the ball's own way again.</summary>
+        /// <summary>Shows the path of the ball itself again.</summary>
         public void Hide()
         {
             _aims = false;
@@ -108,7 +108,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>The kick two standard deviations off, to one of the sides.</summary>
+        /// <summary>Returns the kick that is two standard deviations off, to one of the sides.</summary>
         private Vector3 Off(int side)
         {
             float turn = side * (2f * Mathf.PI / Sides);

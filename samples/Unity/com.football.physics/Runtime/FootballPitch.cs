@@ -6,7 +6,7 @@ using UnityEngine;
 namespace FootballPhysics.Unity
 {
     /// <summary>A pitch: the ground of every football, at the height of this object, with lines, and with boards if their height is not 0. Goals are separate objects.</summary>
-    /// <remarks>Its transform is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>
+    /// <remarks>Its position is the centre of the pitch, whose length is along z. It may be rotated about y. Its scale is ignored.</remarks>
     [AddComponentMenu("Football/Football Pitch"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballPitch : FootballThing
     {
@@ -37,7 +37,7 @@ namespace FootballPhysics.Unity
         /// <summary>Width between the touchlines, m.</summary>
         public float Width { get => width; set => width = value; }
 
-        /// <summary>True for goals and areas of futsal.</summary>
+        /// <summary>True for the goals and areas of futsal.</summary>
         public bool Futsal { get => futsal; set => futsal = value; }
 
         /// <summary>Height of the boards, m; 0 for none.</summary>
@@ -51,7 +51,7 @@ namespace FootballPhysics.Unity
 
         internal override int Order => 0;
 
-        /// <summary>The pitch in the library's type, centred at the origin.</summary>
+        /// <summary>Converts the pitch to the library's type, centred at the origin.</summary>
         public Pitch ToPitch()
         {
             return (futsal ? Pitch.Futsal : Pitch.Standard) with
@@ -81,7 +81,7 @@ namespace FootballPhysics.Unity
 
         internal override void Draw(FootballDrawing drawing)
         {
-            // On one height the lines would flicker in the grass: that lies a little lower.
+            // At the same height, the lines would flicker in the grass, so draw the grass a little lower.
             Pitch pitch = ToPitch();
             Lay(drawing.Add("ground", ShapeMesh.GroundOf(pitch), grass), -0.012f);
             Lay(drawing.Add("lines", ShapeMesh.LinesOf(pitch), Color.white), -0.004f);
@@ -96,7 +96,7 @@ namespace FootballPhysics.Unity
             drawn.SetPositionAndRotation(transform.position + new Vector3(0f, raised, 0f), transform.rotation);
         }
 
-        /// <summary>A board of the pitch, in the position of the pitch, which can be rotated about y.</summary>
+        /// <summary>Moves a board of the pitch to the position of the pitch, which can be rotated about y.</summary>
         private BoxShape Placed(BoxShape board)
         {
             Quaterniond turn = UnityFrame.FromUnity(transform.rotation);

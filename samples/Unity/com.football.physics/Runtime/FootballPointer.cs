@@ -5,7 +5,7 @@ using UnityEngine.InputSystem;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The mouse and one key, by whichever input system the project has.</summary>
+    /// <summary>The state of the mouse and one key, from the input system of the project.</summary>
     internal static class FootballPointer
     {
 #if ENABLE_INPUT_SYSTEM && FOOTBALL_INPUT_SYSTEM

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Ball, air, ground, method and time step as an asset that any number of balls share.</summary>
+    /// <summary>The ball, air, ground, integrator and time step, as an asset that several balls can share.</summary>
     [CreateAssetMenu(menuName = "Football/Preset", fileName = "FootballPreset")]
     public sealed class FootballPreset : ScriptableObject
     {
@@ -15,15 +15,15 @@ namespace FootballPhysics.Unity
         [Header("Profile"), Tooltip("Measured: like a ball without a preset. Published: the laws and numbers of the original thesis.")]
         public ProfileChoice profile = ProfileChoice.Measured;
 
-        /// <summary>The ball. Default a match football.</summary>
+        /// <summary>The ball. Default: a match football.</summary>
         [Header("Ball")]
         public BallChoice ball = BallChoice.Modern;
 
-        /// <summary>Mass of a ball of your own, kg.</summary>
+        /// <summary>Mass of a custom ball, kg.</summary>
         [Range(0.01f, 20f), Tooltip("Mass of a custom ball, kg.")]
         public float customMass = 0.43f;
 
-        /// <summary>Radius of a ball of your own, m.</summary>
+        /// <summary>Radius of a custom ball, m.</summary>
         [Range(0.02f, 2f), Tooltip("Radius of a custom ball, m.")]
         public float customRadius = 0.11f;
 
@@ -35,15 +35,15 @@ namespace FootballPhysics.Unity
         [Range(-1000f, 1000f), Tooltip("Height of the ground, m.")]
         public float groundHeight;
 
-        /// <summary>Part of the vertical speed that a bounce on a ground of your own gives back.</summary>
+        /// <summary>Fraction of the vertical speed that a bounce on a custom ground returns.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: fraction of the vertical speed that a bounce returns.")]
         public float customRestitution = 0.67f;
 
-        /// <summary>Friction of a ball that slides on a ground of your own.</summary>
+        /// <summary>Friction of a ball that slides on a custom ground.</summary>
         [Range(0f, 2f), Tooltip("Custom ground: friction of a sliding ball.")]
         public float customSlidingFriction = 0.45f;
 
-        /// <summary>Friction of a ball that rolls on a ground of your own.</summary>
+        /// <summary>Friction of a ball that rolls on a custom ground.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: resistance of a rolling ball.")]
         public float customRollingFriction = 0.064f;
 
@@ -59,11 +59,11 @@ namespace FootballPhysics.Unity
         [Range(0.1f, 1000f), Tooltip("Kinematic viscosity of the air, mm²/s; 15 at sea level, 19.9 in Mexico City.")]
         public float airViscosity = 15f;
 
-        /// <summary>How much of the drag there is: 1 as it is measured, 0 none.</summary>
+        /// <summary>Drag factor: 1 is realistic, 0 is no drag.</summary>
         [Range(0f, 3f), Tooltip("Drag factor: 1 is realistic, 0 is no drag.")]
         public float dragScale = 1f;
 
-        /// <summary>How much a spinning ball bends: 1 as it is measured, 0 not at all.</summary>
+        /// <summary>Bend of a spinning ball: 1 is realistic, 0 is straight.</summary>
         [Range(0f, 3f), Tooltip("Bend of a spinning ball: 1 is realistic, 0 is straight.")]
         public float bendScale = 1f;
 
@@ -95,11 +95,11 @@ namespace FootballPhysics.Unity
         [Header("Steps")]
         public Integrator integrator = Integrator.Rk4;
 
-        /// <summary>The time step, s: a double, for 0.02f is not 0.02. The same on every machine that is to have the same bits.</summary>
+        /// <summary>The time step, s. It is a double, because 0.02f is not 0.02. Machines that must be bit-identical need the same one.</summary>
         [Tooltip("Time step, s; 0.001 to 0.1. Use the same on every machine that must stay in sync.")]
         public double timeStep = DefaultTimeStep;
 
-        /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset; published has the laws and numbers of the original thesis.</summary>
+        /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset. Published has the laws and numbers of the original thesis.</summary>
         public enum ProfileChoice
         {
             Measured,
@@ -127,7 +127,7 @@ namespace FootballPhysics.Unity
             Trionda,
         }
 
-        /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="FootballPhysics.Ground"/>, and one of your own.</summary>
+        /// <summary>Grounds to choose from: the profile's, the presets of <see cref="FootballPhysics.Ground"/> and a custom one.</summary>
         public enum GroundChoice
         {
             OfProfile,
@@ -159,7 +159,7 @@ namespace FootballPhysics.Unity
             Vacuum,
         }
 
-        /// <summary>How the scene is integrated.</summary>
+        /// <summary>The solver settings of the scene.</summary>
         public SolverSettings Settings => new SolverSettings { Integrator = integrator };
 
         /// <summary>A hash that changes when any of these numbers changes.</summary>
@@ -194,13 +194,13 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Checks and compiles the scene. Throws ArgumentOutOfRangeException where a number is out of range.</summary>
+        /// <summary>Checks and compiles the scene. Throws ArgumentOutOfRangeException if a number is out of range.</summary>
         public Simulator Compile()
         {
             return new Simulator(MakeScene(), Settings);
         }
 
-        /// <summary>The scene that these numbers describe.</summary>
+        /// <summary>Creates the scene from these numbers.</summary>
         public Scene MakeScene()
         {
             Scene own = profile switch
@@ -223,27 +223,27 @@ namespace FootballPhysics.Unity
                 : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
         }
 
-        /// <summary>A ground at a height, m. A scene without ground has no height.</summary>
+        /// <summary>Returns a ground at a height, m. A scene without ground has no height.</summary>
         internal static Ground AtHeight(Ground ground, double height)
         {
             return ground.IsNone ? ground : ground with { Height = height };
         }
 
-        /// <summary>A ground that is chosen by name.</summary>
-        /// <param name="choice">Its name; Of Profile and Custom are the given one.</param>
+        /// <summary>Returns a ground by its name.</summary>
+        /// <param name="choice">The name; OfProfile and Custom return the given ground.</param>
         /// <param name="own">The ground of the profile.</param>
         internal static Ground GroundOf(GroundChoice choice, Ground own)
         {
             return choice == GroundChoice.OfProfile || choice == GroundChoice.Custom ? own : FootballPhysics.Ground.Presets[NameOf(choice.ToString())];
         }
 
-        /// <summary>The name of a preset in the library, which starts with a small letter.</summary>
+        /// <summary>Returns the name of a preset in the library, which starts with a lower-case letter.</summary>
         internal static string NameOf(string choice)
         {
             return char.ToLowerInvariant(choice[0]) + choice.Substring(1);
         }
 
-        /// <summary>The number in the inspector, not the single next to it: 1.2f is not 1.2.</summary>
+        /// <summary>Returns the decimal number of the inspector, not the nearest single-precision number: 1.2f is not 1.2.</summary>
         internal static double Typed(float number)
         {
             return Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
@@ -270,7 +270,7 @@ namespace FootballPhysics.Unity
             mud = Mathf.Clamp(mud, 0f, 1f);
         }
 
-        /// <summary>The ball that is chosen.</summary>
+        /// <summary>Returns the chosen ball.</summary>
         internal BallProperties BallOf()
         {
             return ball == BallChoice.Custom

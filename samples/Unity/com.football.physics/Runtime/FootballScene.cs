@@ -14,8 +14,8 @@ namespace FootballPhysics.Unity
         private readonly FootballColliders _colliders;
         private readonly FootballColliders _collidersAhead;
 
-        /// <summary>Compiles it.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+        /// <summary>Compiles the scene.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name.</exception>
         public FootballScene(FootballPreset preset, int hits, float greatestSpeed, Rigidbody own)
         {
             Stage = new BallScene(preset != null ? preset.MakeScene() : null, preset != null ? preset.Settings : null);
@@ -57,7 +57,7 @@ namespace FootballPhysics.Unity
             _goals.Add(goal);
         }
 
-        /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
+        /// <summary>Adds a keeper to a goal, or to the nearest one.</summary>
         public void Add(FootballKeeper keeper, FootballGoal goal, Vector3d feet, Player abilities)
         {
             int index = goal != null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
@@ -71,7 +71,7 @@ namespace FootballPhysics.Unity
             _keepers.Add(keeper);
         }
 
-        /// <summary>Sets the time, on the ball's clock, at which Unity's colliders have their present positions.</summary>
+        /// <summary>Sets the time, on the ball's clock, at which the positions of Unity's colliders hold.</summary>
         public void CollidersAreAt(double time)
         {
             if (_colliders != null)
@@ -82,7 +82,7 @@ namespace FootballPhysics.Unity
         }
 
         /// <summary>Converts an event to Unity's frame, with its goal or collider.</summary>
-        public FootballEvent Tell(in BallEvent happened)
+        public FootballEvent Convert(in BallEvent happened)
         {
             int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
             return new FootballEvent(
@@ -107,7 +107,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Draws nets and keepers in their present shape.</summary>
+        /// <summary>Draws the nets and the keepers in their current shape.</summary>
         public void Draw()
         {
             for (int i = 0; i < _goals.Count; i++)

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Counts and shows the goals of the scene, and puts a ball that was in, or lies still, back for the next shot.</summary>
+    /// <summary>Counts and shows the goals of the scene, and resets the ball after a goal, or when a shot comes to rest.</summary>
     [AddComponentMenu("Football/Football Score"), DisallowMultipleComponent]
     public sealed class FootballScore : MonoBehaviour
     {
@@ -16,10 +16,10 @@ namespace FootballPhysics.Unity
         private float _left;
         private string _text = "Goals 0   Shots 0";
 
-        /// <summary>Goals so far.</summary>
+        /// <summary>The number of goals so far.</summary>
         public int Goals { get; private set; }
 
-        /// <summary>Shots so far: the number of times a ball left its spot.</summary>
+        /// <summary>The number of shots so far: how often a ball left its spot.</summary>
         public int Shots { get; private set; }
 
         private void Start()
@@ -60,7 +60,7 @@ namespace FootballPhysics.Unity
                 {
                     _ball.Place(_spot);
                     Shots++;
-                    Tell();
+                    ShowCounts();
                 }
             }
             else if (away && _ball.Motion == MotionState.Rest)
@@ -78,10 +78,10 @@ namespace FootballPhysics.Unity
         {
             Goals++;
             _left = again;
-            Tell();
+            ShowCounts();
         }
 
-        private void Tell()
+        private void ShowCounts()
         {
             _text = string.Format(CultureInfo.InvariantCulture, "Goals {0}   Shots {1}", Goals, Shots);
         }

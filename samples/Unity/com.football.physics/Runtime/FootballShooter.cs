@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
+    /// <summary>Shoots by mouse: press at the target and hold; a longer press gives a faster shot. With the right button, the ball bends to the left. R resets the ball.</summary>
     [AddComponentMenu("Football/Football Shooter"), DisallowMultipleComponent]
     public sealed class FootballShooter : MonoBehaviour
     {
@@ -38,10 +38,10 @@ namespace FootballPhysics.Unity
         /// <summary>The ball.</summary>
         public FootballBall Ball { get => ball; set => ball = value; }
 
-        /// <summary>Camera that the mouse points through.</summary>
+        /// <summary>The camera through which the mouse points.</summary>
         public Camera View { get => view; set => view = value; }
 
-        /// <summary>Shows the aimed kick.</summary>
+        /// <summary>The component that shows the aimed kick.</summary>
         public FootballPath Path { get => path; set => path = value; }
 
         private void Update()
@@ -95,7 +95,7 @@ namespace FootballPhysics.Unity
             return slowest + ((fastest - slowest) * Mathf.Clamp(_held / longest, 0f, 1f));
         }
 
-        /// <summary>The direction from the ball to the mouse pointer, at the distance of the nearest goal, with the extra elevation.</summary>
+        /// <summary>Returns the direction from the ball to the mouse pointer, at the distance of the nearest goal, with the extra elevation.</summary>
         private Vector3 Aimed()
         {
             Vector2 at = FootballPointer.Position;

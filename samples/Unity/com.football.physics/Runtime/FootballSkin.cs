@@ -54,7 +54,7 @@ namespace FootballPhysics.Unity
             _drawn = Stamp;
             _drawing = _drawing ?? new FootballDrawing(gameObject, material);
 
-            // As large as what is simulated, whatever the object's scale.
+            // Draw the simulated size, whatever the object's scale.
             Vector3 scale = transform.lossyScale;
             float largest = Math.Max(1e-6f, Math.Max(Math.Abs(scale.x), Math.Max(Math.Abs(scale.y), Math.Abs(scale.z))));
             GetComponent<MeshFilter>().sharedMesh = _drawing.Fill(ShapeMesh.OfBall(Radius / largest));

@@ -41,7 +41,7 @@ namespace FootballPhysics.Unity
         /// <summary>A hash that changes when the object changes.</summary>
         internal int Stamp => HashCode.Combine(Order, transform.position, transform.rotation, StampOfFields());
 
-        /// <summary>All enabled objects, in the same order on every machine.</summary>
+        /// <summary>Returns all enabled objects, in the same order on every machine.</summary>
         internal static List<FootballThing> InOrder()
         {
             var things = new List<FootballThing>(s_all);
@@ -49,29 +49,29 @@ namespace FootballPhysics.Unity
             return things;
         }
 
-        /// <summary>Adds it to the scene of a ball.</summary>
+        /// <summary>Adds the object to the scene of a ball.</summary>
         internal abstract void AddTo(FootballScene scene);
 
-        /// <summary>Draws its colliders.</summary>
+        /// <summary>Draws the colliders of the object.</summary>
         internal abstract void Draw(FootballDrawing drawing);
 
-        /// <summary>A hash that changes when any of its fields changes.</summary>
+        /// <summary>Returns a hash that changes when any field of the object changes.</summary>
         internal abstract int StampOfFields();
 
-        /// <summary>Converts a position in its local frame, without scale, to the library's frame.</summary>
+        /// <summary>Converts a position in the object's local frame, without scale, to the library's frame.</summary>
         internal Vector3d Place(Vector3 local)
         {
             return UnityFrame.FromUnity(transform.position + (transform.rotation * local));
         }
 
-        /// <summary>Draws it in the game, or in the editor.</summary>
+        /// <summary>Draws the object in the game, or in the editor.</summary>
         protected virtual void OnEnable()
         {
             s_all.Add(this);
             Redraw();
         }
 
-        /// <summary>Removes it from the scene.</summary>
+        /// <summary>Removes the object from the scene.</summary>
         protected virtual void OnDisable()
         {
             s_all.Remove(this);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A wall of players side by side along x, who stand still and stop a ball.</summary>
+    /// <summary>A wall of players who stand side by side along x and stop a ball.</summary>
     [AddComponentMenu("Football/Football Wall"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballWall : FootballThing
     {
@@ -18,10 +18,10 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("Colour of the shirts.")]
         private Color shirts = new Color(0.78f, 0.16f, 0.2f, 1f);
 
-        /// <summary>How many players; 1 … 11.</summary>
+        /// <summary>The number of players; 1 … 11.</summary>
         public int Players { get => players; set => players = value; }
 
-        /// <summary>From one to the next, m.</summary>
+        /// <summary>The distance between the centres of two players, m.</summary>
         public float Spacing { get => spacing; set => spacing = value; }
 
         internal override int Order => 2;

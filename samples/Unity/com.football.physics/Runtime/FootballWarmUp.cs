@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Has the library's code compiled on a thread of its own while the first scene loads, so that no frame of the game waits for it.</summary>
+    /// <summary>Compiles the library's code on its own thread while the first scene loads, so that no frame of the game waits for it.</summary>
     public static class FootballWarmUp
     {
         /// <summary>The runtime optimises frequently called code after a tenth of a second.</summary>
@@ -12,10 +12,10 @@ namespace FootballPhysics.Unity
 
         private static Task s_done;
 
-        /// <summary>Ends when all is compiled; where there are no threads, as on the web, it never starts and has ended.</summary>
+        /// <summary>A task that ends when all code is compiled. On platforms without threads, such as the web, nothing is compiled, and the task has ended.</summary>
         public static Task Done => s_done ?? Task.CompletedTask;
 
-        /// <summary>Starts it, once; Unity calls it before the first scene is loaded.</summary>
+        /// <summary>Starts the compilation once. Unity calls it before the first scene loads.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.BeforeSceneLoad)]
         public static void Begin()
         {
@@ -26,7 +26,7 @@ namespace FootballPhysics.Unity
 
         private static void Run()
         {
-            // A scene of its own: a simulator with bodies or colliders is for one thread.
+            // Use a separate scene: a simulator with bodies or colliders belongs to one thread.
             var simulator = new Simulator(Pitch.Standard.On());
             simulator.WarmUp();
             Thread.Sleep(Pause);

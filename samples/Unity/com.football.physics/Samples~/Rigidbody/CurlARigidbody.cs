@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FootballSamples
 {
-    /// <summary>A Rigidbody of Unity that bends as a football: put this on an empty object and press play. It makes a ball, and kicks it every three seconds to alternate sides.</summary>
+    /// <summary>Bends a Rigidbody of Unity like a football. Put it on an empty object and press play: it creates a ball, and kicks it every three seconds to alternate sides.</summary>
     public sealed class CurlARigidbody : MonoBehaviour
     {
         [SerializeField, Tooltip("Speed of the kick, m/s.")]
@@ -21,7 +21,7 @@ namespace FootballSamples
             ground.name = "Ground";
             ground.transform.localScale = new Vector3(10f, 1f, 10f);
 
-            // What you have already: a sphere of 0.22 m with a Rigidbody. Football Air is all that is new.
+            // You already have this part: a sphere of 0.22 m with a Rigidbody. Only Football Air is new.
             GameObject ball = GameObject.CreatePrimitive(PrimitiveType.Sphere);
             ball.name = "Ball";
             ball.transform.localScale = new Vector3(0.22f, 0.22f, 0.22f);

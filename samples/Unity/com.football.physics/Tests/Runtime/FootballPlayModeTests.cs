@@ -11,7 +11,7 @@ namespace FootballPhysics.Unity.Tests
     {
         private const int Updates = 150;
 
-        /// <summary>Every object of a test is gone before the next.</summary>
+        /// <summary>Removes every object of a test before the next test.</summary>
         [TearDown]
         public void CleanUp()
         {
@@ -26,21 +26,21 @@ namespace FootballPhysics.Unity.Tests
             }
         }
 
-        /// <summary>A goal and a ball, a kick, a goal.</summary>
+        /// <summary>A kick into a goal scores exactly one goal.</summary>
         [UnityTest]
         public IEnumerator A_shot_at_an_empty_goal_scores()
         {
             FootballBall ball = Ball();
             FootballGoal goal = Goal();
-            int told = 0;
-            goal.Scored += (who, happened) => told++;
+            int raised = 0;
+            goal.Scored += (who, happened) => raised++;
             ball.Kick(25f, new Vector3(0f, 0.2f, 1f));
             for (int i = 0; i < Updates; i++)
             {
                 yield return new WaitForFixedUpdate();
             }
 
-            Assert.AreEqual(1, told);
+            Assert.AreEqual(1, raised);
             Assert.AreEqual(1, goal.Goals);
         }
 
@@ -50,15 +50,15 @@ namespace FootballPhysics.Unity.Tests
         {
             FootballBall ball = Ball();
             FootballGoal goal = Goal();
-            int told = 0;
-            goal.FrameHit += (who, happened) => told++;
+            int raised = 0;
+            goal.FrameHit += (who, happened) => raised++;
             ball.Kick(new Vector3(4.72f, 3.2f, 25f), Vector3.zero);
             for (int i = 0; i < Updates; i++)
             {
                 yield return new WaitForFixedUpdate();
             }
 
-            Assert.AreEqual(1, told);
+            Assert.AreEqual(1, raised);
             Assert.Less(ball.transform.position.z, 20f);
         }
 
