@@ -2,7 +2,7 @@ using System.Runtime.InteropServices.JavaScript;
 
 namespace FootballPhysics.Web;
 
-/// <content>Balls.</content>
+/// <content>The functions for balls.</content>
 internal static partial class Engine
 {
     [JSExport]
@@ -11,7 +11,7 @@ internal static partial class Engine
     [JSExport]
     internal static void FreeBall(int ball) => s_balls.Remove(ball);
 
-    /// <summary>The address of the numbers of a ball; see <see cref="WebBall.Memory"/>.</summary>
+    /// <summary>Returns the address of the numbers of a ball; see <see cref="WebBall.Memory"/>.</summary>
     [JSExport]
     internal static int BallMemory(int ball) => Guard.Call(() => s_balls[ball].Memory);
 
@@ -30,7 +30,7 @@ internal static partial class Engine
     [JSExport]
     internal static void Step(int ball, double dt)
     {
-        // Without a closure: a frame calls only this.
+        // No closure, which would allocate: a frame makes only this call.
         try
         {
             s_balls[ball].Step(dt);
@@ -45,27 +45,27 @@ internal static partial class Engine
     [JSExport]
     internal static int LookAhead(int ball, double seconds, int samples, double timeStep, string stopAt) => Guard.Call(() => s_balls[ball].LookAhead(seconds, samples, timeStep, stopAt));
 
-    /// <summary>The end of the last prediction, in s.</summary>
+    /// <summary>Returns the end of the last prediction, in s.</summary>
     [JSExport]
     internal static double LookAheadEnd(int ball) => Guard.Call(() => s_balls[ball].Ahead.EndTime);
 
-    /// <summary>The events of the last prediction: their number, and their address.</summary>
+    /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     [JSExport]
     internal static int[] LookAheadEvents(int ball) => Guard.Call(() => s_balls[ball].LookAheadEvents());
 
-    /// <summary>The answer of a goalkeeper to the last prediction, as JSON.</summary>
+    /// <summary>Computes, as JSON, whether a goalkeeper saves the ball on the last predicted path.</summary>
     [JSExport]
     internal static string Keeper(int ball, string player, int goal) => Guard.Call(() => s_balls[ball].Keeper(System.Text.Encoding.UTF8.GetBytes(player), goal));
 
-    /// <summary>The bulges of the nets: depth, position and direction of each.</summary>
+    /// <summary>Returns the bulges of the nets: depth, position and direction of each.</summary>
     [JSExport]
     internal static double[] Bulges(int ball) => Guard.Call(() => s_balls[ball].Bulges());
 
-    /// <summary>The hash of the state, 16 hexadecimal digits.</summary>
+    /// <summary>Returns the hash of the state, as 16 hexadecimal digits.</summary>
     [JSExport]
     internal static string Hash(int ball) => Guard.Call(() => Snapshot.Hash(s_balls[ball].Ball.State).ToString("x16", System.Globalization.CultureInfo.InvariantCulture));
 
-    /// <summary>The state as bytes.</summary>
+    /// <summary>Returns the state as bytes.</summary>
     [JSExport]
     internal static byte[] Save(int ball) => Guard.Call(() =>
     {
@@ -78,7 +78,7 @@ internal static partial class Engine
     [JSExport]
     internal static void Restore(int ball, byte[] bytes) => Guard.Call(() => s_balls[ball].Change(b => b.State = Snapshot.Read(bytes)));
 
-    /// <summary>The position, velocity, spin and orientation of a body.</summary>
+    /// <summary>Returns the position, velocity, spin and orientation of a body.</summary>
     [JSExport]
     internal static double[] Body(int scene, int body) => Guard.Call(() => s_scenes[scene].Body(body));
 }

@@ -11,7 +11,7 @@ internal static partial class Engine
     private static readonly Slots<WebScene> s_scenes = new("scene");
     private static readonly Slots<WebBall> s_balls = new("ball");
 
-    /// <summary>The version, and the names of balls, grounds and materials, as JSON.</summary>
+    /// <summary>Returns the version, and the names of balls, grounds and materials, as JSON.</summary>
     [JSExport]
     internal static string Names() => Json.Text(json =>
     {
@@ -40,29 +40,29 @@ internal static partial class Engine
     [JSExport]
     internal static void FreeScene(int scene) => s_scenes.Remove(scene);
 
-    /// <summary>The radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
+    /// <summary>Returns the radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
     [JSExport]
     internal static string DescribeScene(int scene) => Guard.Call(() => s_scenes[scene].Describe());
 
-    /// <summary>The names of all objects, by index.</summary>
+    /// <summary>Returns the names of all objects, by index.</summary>
     [JSExport]
     internal static string[] SceneNames(int scene) => Guard.Call(() => s_scenes[scene].Simulator.Names.ToArray());
 
-    /// <summary>The names of the bodies.</summary>
+    /// <summary>Returns the names of the bodies.</summary>
     [JSExport]
     internal static string[] BodyNames(int scene) => Guard.Call(() => s_scenes[scene].BodyNames);
 
-    /// <summary>The address of the placements of the bodies.</summary>
+    /// <summary>Returns the address of the placements of the bodies.</summary>
     [JSExport]
     internal static int BodyMemory(int scene) => Guard.Call(() => s_scenes[scene].BodyMemory);
 
-    /// <summary>Finds a kick, as JSON.</summary>
+    /// <summary>Finds a kick, and returns it as JSON.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="request">The members of a scenario's aim, as JSON.</param>
     [JSExport]
     internal static string Aim(int scene, string request) => Guard.Call(() => s_scenes[scene].Aim(Encoding.UTF8.GetBytes(request)));
 
-    /// <summary>The velocity and the spin of a kick at a speed and two angles.</summary>
+    /// <summary>Computes the velocity and the spin of a kick at a speed and two angles.</summary>
     [JSExport]
     internal static double[] KickVector(double speed, double elevation, double azimuth, double topSpin, double sideSpin) => Guard.Call(() =>
     {
@@ -70,12 +70,12 @@ internal static partial class Engine
         return new[] { velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z };
     });
 
-    /// <summary>The golden kicks, line by line: every runtime must give these lines.</summary>
+    /// <summary>Returns the golden kicks, line by line. Every runtime must produce the same lines.</summary>
     [JSExport]
     internal static string Golden() => string.Join('\n', GoldenShots.Lines());
 
-    /// <summary>Objects with numbers.</summary>
-    /// <param name="name">The word for one in messages.</param>
+    /// <summary>Stores objects under numbers.</summary>
+    /// <param name="name">The noun for an object in messages.</param>
     private sealed class Slots<T>(string name)
         where T : class
     {

@@ -2,10 +2,10 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Web;
 
-/// <summary>Gives every exception the one message that a user can act on.</summary>
+/// <summary>Replaces every exception by one whose message the user can act on.</summary>
 internal static class Guard
 {
-    /// <summary>Calls a function.</summary>
+    /// <summary>Calls a function, and returns its result.</summary>
     public static T Call<T>(Func<T> function)
     {
         try
@@ -31,6 +31,6 @@ internal static class Guard
         }
     }
 
-    /// <summary>Returns an exception whose message is only the sentence.</summary>
+    /// <summary>Returns an exception whose message is only the sentence of the library.</summary>
     public static Exception Plain(Exception exception) => new InvalidOperationException(LibraryRefusal.Sentence(exception));
 }

@@ -5,7 +5,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Web;
 
-/// <summary>JSON that JavaScript reads, and requests that it writes.</summary>
+/// <summary>Writes JSON for JavaScript, and parses its requests.</summary>
 internal static class Json
 {
     /// <summary>Writes an object.</summary>
@@ -57,12 +57,12 @@ internal static class Json
         json.WriteEndArray();
     }
 
-    /// <summary>The name of a value in camel case.</summary>
+    /// <summary>Returns the name of a value in camel case.</summary>
     public static string Word<T>(T value)
         where T : struct, Enum => JsonNamingPolicy.CamelCase.ConvertName(value.ToString());
 
     /// <summary>Parses a request.</summary>
-    /// <exception cref="RefusedException">It is not JSON.</exception>
+    /// <exception cref="RefusedException">The text is not JSON.</exception>
     public static InputFields Fields(ReadOnlySpan<byte> text)
     {
         if (text.Length > LineReader.LongestInput)

@@ -1,4 +1,4 @@
-// The library in a browser or in Node. Package/index.js calls the methods of Engine; numbers that a frame needs are in memory that both sides read.
+// The library in a browser or in Node. Package/index.js calls the methods of Engine. The numbers of a frame are in memory that both sides read.
 using System.Runtime.Versioning;
 
 [assembly: SupportedOSPlatform("browser")]

@@ -3,13 +3,13 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Web;
 
-/// <summary>A ball, and the memory that JavaScript reads it from.</summary>
+/// <summary>A ball, and the memory from which JavaScript reads it.</summary>
 internal sealed class WebBall
 {
-    /// <summary>Numbers of a ball: time, position, velocity, spin, orientation, motion, the number of events and their address.</summary>
+    /// <summary>The length of a ball's numbers: time, position, velocity, spin, orientation, motion, the number of events and their address.</summary>
     private const int Numbers = 17;
 
-    /// <summary>Numbers of an event: kind, collider, time, position, velocity before and after, spin before and after, normal, added energy.</summary>
+    /// <summary>The length of an event's numbers: kind, collider, time, position, velocity before and after, spin before and after, normal, added energy.</summary>
     private const int EventNumbers = 22;
 
     private const int MostSamples = 1_000_000;
@@ -25,7 +25,7 @@ internal sealed class WebBall
     {
         _scene = scene;
         Ball = new Ball(scene.Simulator);
-        Tell();
+        Publish();
     }
 
     /// <summary>The ball.</summary>
@@ -34,14 +34,14 @@ internal sealed class WebBall
     /// <summary>The last prediction.</summary>
     public Trajectory Ahead { get; } = new();
 
-    /// <summary>The address of the ball's numbers.</summary>
+    /// <summary>The address of the ball's numbers, which <see cref="Numbers"/> counts.</summary>
     public int Memory => Address(_numbers);
 
     /// <summary>Changes the ball, and writes its numbers.</summary>
     public void Change(Action<Ball> change)
     {
         change(Ball);
-        Tell();
+        Publish();
     }
 
     /// <summary>Places the bodies, steps, and writes numbers and events.</summary>
@@ -49,10 +49,10 @@ internal sealed class WebBall
     {
         _scene.PlaceBodies(Ball.Time);
         Ball.Step(dt);
-        Tell();
+        Publish();
     }
 
-    /// <summary>Predicts the path, and returns the address of its rows t, x, y, z, evenly spaced. After its end, all rows are the last one.</summary>
+    /// <summary>Predicts the path, and returns the address of its evenly spaced rows t, x, y, z. After the end of the prediction, the last row repeats.</summary>
     public int LookAhead(double seconds, int samples, double timeStep, string stopAt)
     {
         if (samples is < 2 or > MostSamples)
@@ -85,14 +85,14 @@ internal sealed class WebBall
         return Address(_rows);
     }
 
-    /// <summary>The number of events of the last prediction, and their address.</summary>
+    /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     public int[] LookAheadEvents()
     {
         Write(Ahead.Events, ref _eventsAhead);
         return [Ahead.Events.Count, Ahead.Events.Count > 0 ? Address(_eventsAhead) : 0];
     }
 
-    /// <summary>The answer of a goalkeeper to the last prediction, as JSON.</summary>
+    /// <summary>Computes, as JSON, whether a goalkeeper saves the ball on the last predicted path.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
     public string Keeper(ReadOnlySpan<byte> text, int goal)
     {
@@ -133,22 +133,22 @@ internal sealed class WebBall
         });
     }
 
-    /// <summary>The bulges of the nets, which follow the ball from call to call: depth, position, direction.</summary>
+    /// <summary>Updates the bulges of the nets to the ball, and returns depth, position and direction of each.</summary>
     public double[] Bulges()
     {
         _bulges ??= new NetBulges(_scene.Simulator);
         BallState state = Ball.State;
         _bulges.Follow(in state);
-        var told = new double[7 * _bulges.Count];
+        var numbers = new double[7 * _bulges.Count];
         for (int i = 0; i < _bulges.Count; i++)
         {
             NetBulge bulge = _bulges[i];
-            told[7 * i] = bulge.Depth;
-            Put(bulge.Position, told, (7 * i) + 1);
-            Put(bulge.Direction, told, (7 * i) + 4);
+            numbers[7 * i] = bulge.Depth;
+            Put(bulge.Position, numbers, (7 * i) + 1);
+            Put(bulge.Direction, numbers, (7 * i) + 4);
         }
 
-        return told;
+        return numbers;
     }
 
     private static unsafe int Address(double[] pinned) => (int)Unsafe.AsPointer(ref pinned[0]);
@@ -160,7 +160,7 @@ internal sealed class WebBall
         into[at + 2] = v.Z;
     }
 
-    private void Tell()
+    private void Publish()
     {
         _numbers[0] = Ball.Time;
         Put(Ball.Position, _numbers, 1);

@@ -8,7 +8,7 @@ namespace FootballPhysics.Web;
 /// <summary>A scene with the bodies that JavaScript moves.</summary>
 internal sealed class WebScene
 {
-    /// <summary>Numbers of a placement: its kind, time, position, velocity, spin, orientation.</summary>
+    /// <summary>The length of a placement's numbers: kind, time, position, velocity, spin, orientation.</summary>
     private const int Numbers = 15;
 
     private readonly KinematicBodies? _bodies;
@@ -35,7 +35,7 @@ internal sealed class WebScene
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
     public static WebScene Read(ReadOnlySpan<byte> text)
     {
-        // The first JSON takes a fifth of a second in the interpreter; the first ball need not wait for it.
+        // The first JSON takes a fifth of a second in the interpreter. Skip it for the default scene, so that the first ball is not delayed.
         if (text.SequenceEqual("{}"u8))
         {
             return new WebScene(new Scene(), SolverSettings.Default);
@@ -55,7 +55,7 @@ internal sealed class WebScene
         }
     }
 
-    /// <summary>The radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
+    /// <summary>Returns the radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
     public string Describe() => Json.Text(json =>
     {
         Scene scene = Simulator.Scene;
@@ -65,8 +65,8 @@ internal sealed class WebScene
     });
 
     /// <summary>Applies the placements that JavaScript has written since the last call.</summary>
-    /// <param name="time">The time of placements without a time: that of the ball.</param>
-    /// <exception cref="ArgumentException">A placement is out of range; the message names the body. No placement is left.</exception>
+    /// <param name="time">The time of placements that have none, in s: the time of the ball.</param>
+    /// <exception cref="ArgumentException">A placement is out of range; the message contains the name of the body. All placements are discarded.</exception>
     public void PlaceBodies(double time)
     {
         for (int i = 0; i < (_bodies?.Count ?? 0); i++)
@@ -103,7 +103,7 @@ internal sealed class WebScene
         }
     }
 
-    /// <summary>The position, velocity, spin and orientation of a body.</summary>
+    /// <summary>Returns the position, velocity, spin and orientation of a body.</summary>
     public double[] Body(int index)
     {
         if (_bodies is null || index < 0 || index >= _bodies.Count)
@@ -116,7 +116,7 @@ internal sealed class WebScene
         return [b.Position.X, b.Position.Y, b.Position.Z, b.Velocity.X, b.Velocity.Y, b.Velocity.Z, b.Spin.X, b.Spin.Y, b.Spin.Z, q.X, q.Y, q.Z, q.W];
     }
 
-    /// <summary>Finds a kick, as JSON.</summary>
+    /// <summary>Finds a kick, and returns it as JSON.</summary>
     /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
     public string Aim(ReadOnlySpan<byte> text)
     {

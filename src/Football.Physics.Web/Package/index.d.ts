@@ -37,9 +37,9 @@ export interface BallEvent {
 /** A kick at a speed (m/s) and two angles (degrees), with spins in rad/s. */
 export interface KickAngles {
   speed: number;
-  /** Above the horizontal; default 0. */
+  /** The angle above the horizontal, in degrees; default 0. */
   elevation?: number;
-  /** From −z, to the left; default 0. */
+  /** The angle from −z, to the left, in degrees; default 0. */
   azimuth?: number;
   topSpin?: number;
   /** Positive bends to the left. */
@@ -55,9 +55,9 @@ export type Shape =
   | { shape: "plane"; point: Vector; normal: Vector };
 
 export interface Goal {
-  /** The middle of the goal line. */
+  /** The centre of the goal line. */
   center: Vector;
-  /** Towards the pitch. */
+  /** The direction towards the pitch. */
   facing: Vector;
   width?: number;
   height?: number;
@@ -102,7 +102,7 @@ export interface AimRequest {
   target: Vector;
   /** The speed of the kick, in m/s. */
   speed: number;
-  /** A waypoint. */
+  /** A waypoint of the path. */
   through?: Vector;
   targetVelocity?: Vector;
   kickTime?: number;
@@ -146,7 +146,7 @@ export interface KeeperAnswer {
   crosses: boolean;
   isOnTarget: boolean;
   saves: boolean;
-  /** When and where the ball crosses the goal line. */
+  /** The time at which the ball crosses the goal line, in s, and the position there. */
   time: number | null;
   position: Vector;
   lateralOffset: number | null;
@@ -160,7 +160,7 @@ export interface Placement {
   velocity?: VectorLike;
   spin?: VectorLike;
   orientation?: QuaternionLike;
-  /** The ball's time at which the body is there; default: the start of the next step. */
+  /** The ball's time for which the placement holds, in s; default: the start of the next step. */
   time?: number;
 }
 
@@ -172,7 +172,7 @@ export interface LookAheadOptions {
 }
 
 export interface LoadOptions {
-  /** The address of the folder `runtime`, with a slash at its end; default: next to this module. */
+  /** The address of the folder `runtime`, with a trailing slash; default: next to this module. */
   url?: string;
   /** The contents of the folder `runtime` by file name, for a page in one file. */
   files?: Record<string, ArrayBuffer>;
@@ -184,12 +184,12 @@ export class PhysicsError extends Error {}
 /** Loads the library in this thread, once. */
 export function load(options?: LoadOptions): Promise<Physics>;
 
-/** Loads the library in a worker of its own. Each method then returns a promise. */
+/** Loads the library in its own worker. Each method then returns a promise. */
 export function loadWorker(options?: LoadOptions & { worker?: string | URL }): Promise<RemotePhysics>;
 
 interface Presets {
   readonly version: string;
-  /** Balls by their names for `ball.type`. */
+  /** The balls by their names for `ball.type`. */
   readonly balls: Readonly<Record<string, { mass: number; radius: number; inertiaFactor: number; bounce: number }>>;
   /** Names for `ground.surface`. */
   readonly grounds: readonly string[];
@@ -200,11 +200,11 @@ interface Presets {
 export interface Physics extends Presets {
   /** Validates and compiles a scene: an object, or JSON text. */
   scene(description?: SceneDescription | string): Scene;
-  /** A ball in a scene of its own. */
+  /** Creates a ball with its own scene. */
   ball(description?: SceneDescription | string): Ball;
-  /** The velocity and the spin of a kick at a speed and two angles. */
+  /** Computes the velocity and the spin of a kick at a speed and two angles. */
   kickVectors(kick: KickAngles): { velocity: Float64Array; spin: Float64Array };
-  /** Hashes of a few hundred simulations. They are identical on every machine and in every language. */
+  /** Returns the hashes of a few hundred simulations. They are identical on every machine and in every language. */
   goldenHashes(): string[];
 }
 
@@ -223,9 +223,9 @@ interface SceneAbout {
 export interface Scene extends SceneAbout {
   readonly bodies: readonly Body[];
   body(name: string): Body;
-  /** A ball at rest on the ground at the origin. */
+  /** Creates a ball at rest on the ground at the origin. */
   ball(): Ball;
-  /** Finds the kick that hits a target. */
+  /** Finds the kick that reaches a target. */
   aim(request: AimRequest): AimResult;
   /** Frees the scene; otherwise the garbage collector does. */
   free(): void;
@@ -233,9 +233,9 @@ export interface Scene extends SceneAbout {
 
 export interface Body {
   readonly name: string;
-  /** Places the body, for the next step or look-ahead. That call throws if a number is out of range. */
+  /** Places the body for the next step or look-ahead, which throws if a number is out of range. */
   place(position: VectorLike, motion?: Placement): void;
-  /** Takes the body out of play, until it is placed again. */
+  /** Takes the body out of play until you place it again. */
   withdraw(): void;
   state(): { position: Float64Array; velocity: Float64Array; spin: Float64Array; orientation: Float64Array };
 }
@@ -263,19 +263,19 @@ export interface Ball extends BallState {
   kick(kick: KickAngles): void;
   /** Advances the ball by a time, in s. */
   step(dt: number): void;
-  /** Predicts the path: rows t, x, y, z, evenly spaced from now. If the prediction ends before, the last row repeats. */
+  /** Predicts the path as rows t, x, y, z, evenly spaced from now. If the prediction ends early, the last row repeats. */
   lookAhead(seconds: number, samples?: number, options?: LookAheadOptions): Float64Array;
-  /** The end of the last prediction, in s. */
+  /** Returns the end of the last prediction, in s. */
   lookAheadEnd(): number;
-  /** The events of the last prediction. */
+  /** Returns the events of the last prediction. */
   lookAheadEvents(): BallEvent[];
-  /** Whether a goalkeeper saves the ball on the last predicted path. */
+  /** Computes whether a goalkeeper saves the ball on the last predicted path. */
   keeper(player: KeeperPlayer, goal?: number): KeeperAnswer;
-  /** The bulges of the nets, to draw; call it after each step. */
+  /** Returns the bulges of the nets, for drawing. Call it after each step. */
   bulges(): { depth: number; position: Float64Array; direction: Float64Array }[];
-  /** The hash of the state: 16 hexadecimal digits, as `Snapshot.Hash` in C# and `fp_hash` in C. */
+  /** Returns the hash of the state: 16 hexadecimal digits, as `Snapshot.Hash` in C# and `fp_hash` in C. */
   hash(): string;
-  /** The state as bytes, as `Snapshot.Write` in C#. */
+  /** Returns the state as bytes, as `Snapshot.Write` does in C#. */
   save(): Uint8Array;
   restore(bytes: Uint8Array): void;
   /** Frees the ball; otherwise the garbage collector does. */
@@ -299,7 +299,7 @@ export interface RemoteScene extends SceneAbout {
   free(): Promise<void>;
 }
 
-/** A ball in a worker. The numbers are those after the last call that has been answered. */
+/** A ball in a worker. Its numbers are those after the last completed call. */
 export interface RemoteBall extends BallState, Omit<Remote<Omit<Ball, keyof BallState | "scene" | "kick">>, never> {
   readonly scene: RemoteScene;
   kick(velocity: VectorLike, spin?: VectorLike): Promise<void>;

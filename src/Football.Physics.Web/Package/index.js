@@ -1,8 +1,8 @@
-// Football.Physics as WebAssembly. The library writes the numbers of a ball into its memory; getters read them there, so a frame is one call into it.
+// Football.Physics as WebAssembly. The library writes the numbers of a ball into its memory, and getters read them there. So a frame makes one call into the library.
 const EVENT_NUMBERS = 22, PLACEMENT_NUMBERS = 15;
 const ASSEMBLY = "Football.Physics.Web.dll";
 
-// By their numbers in C#.
+// The events, in the order of their numbers in C#.
 const EVENTS = ["impact", "slide", "roll", "rest", "net", "goal", "contactEnd", "pinned", "enterZone", "exitZone"];
 const MOTIONS = ["airborne", "sliding", "rolling", "rest", "pinned"];
 
@@ -22,7 +22,7 @@ export function load(options = {}) {
   return loading;
 }
 
-/** Loads the library in a worker of its own. */
+/** Loads the library in its own worker. */
 export async function loadWorker(options = {}) {
   const url = options.worker ?? new URL("./worker.js", import.meta.url);
   const { worker: _, ...rest } = options, { RemotePhysics } = await import("./remote.js");
@@ -30,9 +30,9 @@ export async function loadWorker(options = {}) {
 }
 
 async function start({ url, files }) {
-  // Without this, the runtime takes a worker for one of its own threads.
+  // Without this flag, the runtime treats a worker as one of its own threads.
   if (typeof WorkerGlobalScope !== "undefined") globalThis.dotnetSidecar = true;
-  // Traces of the interpreter's own compiler add four numbers at once in another order: other bits than everywhere else.
+  // The traces of the interpreter's compiler sum four numbers at once in another order, which changes the bits of the results.
   const settings = { runtimeOptions: ["--no-jiterpreter-traces-enabled"] };
   const runtime = files ? await fromMemory(files, settings) : await fromAddress(url ?? new URL("./runtime/", import.meta.url).href, settings);
   return new Physics(runtime, (await runtime.getAssemblyExports(ASSEMBLY)).FootballPhysics.Web.Engine);
@@ -43,7 +43,7 @@ async function fromAddress(url, settings) {
   return dotnet.withConfig(settings).create();
 }
 
-// For a page in one file. Its scripts have blob addresses, which no address can be relative to.
+// Loads the library in a page of one file. Its scripts have blob addresses, and no address can be relative to a blob.
 async function fromMemory(files, settings) {
   const script = name => URL.createObjectURL(new Blob([files[name]], { type: "text/javascript" })), Whole = URL;
   globalThis.URL = class extends Whole {
@@ -75,7 +75,7 @@ function number(name, value) {
   return typeof value === "number" ? value : refuse(name, value, "a number");
 }
 
-/** [x, y, z] of an array or of an object with x, y and z. */
+/** Returns [x, y, z] of an array or of an object with x, y and z. */
 function vector(name, value) {
   const v = value && typeof value.x === "number" ? [value.x, value.y, value.z] : value;
   return v && v.length === 3 && typeof v[0] === "number" && typeof v[1] === "number" && typeof v[2] === "number" ? v : refuse(name, value, "[x, y, z]");
@@ -94,7 +94,7 @@ class Physics {
     this.freed = new FinalizationRegistry(id => engine.FreeBall(id));
   }
 
-  // A new view each time: the memory may have grown.
+  // Create a new view each time, because the memory may have grown.
   get heap() { return this.runtime.localHeapViewF64(); }
 
   get about() { return this.read ??= JSON.parse(this.engine.Names()); }
@@ -119,7 +119,7 @@ class Physics {
   goldenHashes() { return this.engine.Golden().split("\n"); }
 
   eventsAt(address, count, scene) {
-    // The names first: a call can move the memory.
+    // Read the names first: a call can move the memory.
     const { names } = scene, heap = this.heap, events = [];
     for (let i = 0, at = address >>> 3; i < count; i++, at += EVENT_NUMBERS) {
       const three = from => Array.from(heap.subarray(at + from, at + from + 3)), collider = heap[at + 1];
@@ -141,7 +141,7 @@ class Scene {
     physics.scenes.register(this, this.id, this);
   }
 
-  // Only when it is read: it takes longer than the first ball.
+  // Parse the description on first use only: parsing takes longer than the first ball.
   get about() { return this.read ??= JSON.parse(run(this.physics.engine.DescribeScene, this.id)); }
 
   get names() { return this.called ??= run(this.physics.engine.SceneNames, this.id); }
@@ -180,13 +180,13 @@ class Body {
     heap.set(v, at + 5);
     heap.set(s, at + 8);
     if (q) heap.set(q, at + 11);
-    // An orientation stays until the next step, also if a later placement has none.
+    // An orientation stays until the next step, even if a later placement has none.
     heap[at] = q || heap[at] === 2 ? 2 : 1;
   }
 
   withdraw() { this.memoryOfScene()[this.memory] = 3; }
 
-  // Not that of a scene that is gone, which may be somebody else's now.
+  // Throw if the scene is freed: its memory may belong to another object now.
   memoryOfScene() {
     if (this.scene.id < 0) throw new PhysicsError("The scene was freed. Create a new one.");
     return this.scene.physics.heap;
@@ -268,7 +268,7 @@ class Ball {
   free() {
     this.physics.freed.unregister(this);
     this.physics.engine.FreeBall(this.id);
-    // No number of a ball that is gone.
+    // Prevent reads from the memory of a freed ball.
     this.id = this.memory = -1;
   }
 }

@@ -1,4 +1,4 @@
-// The other side of worker.js: objects with the same methods, each of which returns a promise.
+// The counterpart of worker.js: objects with the same methods. Each method returns a promise.
 
 const BALL = ["place", "launch", "kick", "step", "lookAhead", "lookAheadEnd", "lookAheadEvents", "keeper", "bulges", "hash", "save", "restore", "free"];
 
@@ -70,7 +70,7 @@ class RemoteBall {
   }
 }
 
-// A call takes along all placements since the last one, and brings back the ball: a frame is one message each way.
+// A call sends all placements since the last call, and receives the ball. So a frame sends one message in each direction.
 for (const method of BALL) {
   RemoteBall.prototype[method] = async function (...args) {
     const { line, placed } = this.scene, bodies = placed.size > 0 ? [...placed] : undefined;

@@ -1,4 +1,4 @@
-// The library in a worker of its own; remote.js calls it.
+// Runs the library in its own worker; remote.js calls it.
 import { load } from "./index.js";
 
 const objects = new Map();
