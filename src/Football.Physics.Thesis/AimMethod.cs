@@ -8,12 +8,12 @@ public enum AimMethod
     /// final check.</remarks>
     Direct = 0,
 
-    /// <summary>The thesis' Method A (4.1): rotate the velocity by the angle between the ball's path and the target.</summary>
+    /// <summary>The thesis' Method A (4.1), which rotates the velocity by the angle between the ball's path and the target.</summary>
     Angle = 1,
 
-    /// <summary>The thesis' Method B (4.2): bisect the elevation, and correct the azimuth.</summary>
+    /// <summary>The thesis' Method B (4.2), which bisects the elevation and corrects the azimuth.</summary>
     Bisection = 2,
 
-    /// <summary>The thesis' two-point method (4.3): the velocity aims at the waypoint, and the spin bends the path to the target.</summary>
+    /// <summary>The thesis' two-point method (4.3), which aims the velocity at the waypoint and bends the path to the target by spin.</summary>
     TwoPoint = 3,
 }

@@ -3,10 +3,10 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Thesis;
 
 /// <summary>The boundary-value problem of the thesis' single-target methods.</summary>
-/// <remarks>Kicks are simulated in the game's own frames. The residual is the closest point between frames.</remarks>
+/// <remarks>It simulates kicks in the game's own frames. The residual is the closest point between frames.</remarks>
 internal sealed class FrameProblem
 {
-    /// <summary>The share of the tolerance at which methods end, because the closest point between frames has an error.</summary>
+    /// <summary>The share of the tolerance at which the methods end. The rest covers the error of the closest point between frames.</summary>
     public const double Margin = 0.9;
 
     private readonly AimContext _context;
@@ -34,7 +34,7 @@ internal sealed class FrameProblem
     /// <summary>The closest point of the last kick, between frames.</summary>
     public Vector3d Closest { get; private set; }
 
-    /// <summary>The miss of the last kick, between frames.</summary>
+    /// <summary>The miss of the last kick, between frames, in m.</summary>
     public double Miss { get; private set; }
 
     /// <summary>Sets the problem.</summary>
@@ -79,7 +79,7 @@ internal sealed class FrameProblem
         double lowMiss = double.PositiveInfinity;
         if (!(targetHeight > _frame.From.Y + _tolerance && _context.StaysDown(in _frame.From, _speed * sine)))
         {
-            // A kick along the ground passes below the target, without a simulation.
+            // A kick along the ground passes below the target, so skip its simulation.
             Fly(in kick);
             lowHeight = Closest.Y;
             lowMiss = Miss;

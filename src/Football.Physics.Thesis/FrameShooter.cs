@@ -9,7 +9,7 @@ internal sealed class FrameShooter : KickObserver
     private readonly KickFlight _flight;
     private FrameApproach? _before;
 
-    /// <param name="context">The context that counts flights.</param>
+    /// <param name="context">Counts the flights.</param>
     /// <param name="simulator">The scene with the game's own integrator.</param>
     /// <param name="timeStep">The game's own step, in s.</param>
     public FrameShooter(AimContext context, Simulator simulator, double timeStep)
@@ -33,11 +33,11 @@ internal sealed class FrameShooter : KickObserver
         Run(in from, in velocity, in spin, null);
     }
 
-    /// <summary>Simulates a kick past a point, and until it crosses a plane through the point.</summary>
+    /// <summary>Simulates a kick past a point until it crosses a plane through the point.</summary>
     public void FlyToPlane(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point, in Vector3d normal)
     {
         Target.Begin(in from, in point);
-        Target.WantCrossing(in normal);
+        Target.TrackCrossing(in normal);
         Run(in from, in velocity, in spin, null);
     }
 
@@ -129,8 +129,8 @@ internal sealed class FrameApproach
         Crossed = false;
     }
 
-    /// <summary>Requests the crossing of the vertical plane through the point too.</summary>
-    public void WantCrossing(in Vector3d normal)
+    /// <summary>Also tracks the crossing of the vertical plane through the point.</summary>
+    public void TrackCrossing(in Vector3d normal)
     {
         _normal = normal;
         _wantsCrossing = true;
@@ -159,7 +159,7 @@ internal sealed class FrameApproach
                 _hasAfter = true;
             }
 
-            // Past the nearest frame: the result is final.
+            // The ball has passed the nearest frame, so the result is final.
             passed = Vector3d.Dot(p - _point, frame.Velocity) > 0;
         }
 

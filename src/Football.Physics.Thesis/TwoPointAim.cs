@@ -10,7 +10,7 @@ internal sealed class TwoPointAim
     /// <summary>The initial spin, as a share of its limit, if the request gives none.</summary>
     private const double FirstSpin = 0.25;
 
-    /// <summary>The share of the tolerance at which it ends: up to 40 m/s, the closest point between frames has a larger error here.</summary>
+    /// <summary>The share of the tolerance at which the search ends. Up to 40 m/s, the closest point between frames has a larger error here.</summary>
     private const double Margin = 0.5;
 
     /// <summary>The search stops after this many iterations that do not reduce the miss at the target to this share of the best so far.</summary>
@@ -43,7 +43,7 @@ internal sealed class TwoPointAim
         double throughDistance = Vector3d.Dot(through - _frame.From, in _frame.Forward);
         if (!(_frame.Distance > 1e-6 && throughDistance > 1e-6 && throughDistance < _frame.Distance))
         {
-            // No waypoint between the ball and the target: aim at the target alone.
+            // Without a waypoint between the ball and the target, aim at the target alone.
             AimSolution alone = _bisection.Find(request);
             alone.Status = alone.Status == AimStatus.Hit ? AimStatus.Hit : AimStatus.Degenerate;
             return alone;
