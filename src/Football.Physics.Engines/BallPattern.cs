@@ -31,7 +31,7 @@ public static class BallPattern
     {
         Vector3d unit = Check.Direction(nameof(direction), direction);
 
-        // A ray from the centre leaves through the face whose plane it meets first.
+        // A ray from the centre leaves through the face whose plane it reaches first.
         double first = 0;
         double second = 0;
         bool isDark = false;

@@ -22,7 +22,7 @@ public sealed class KeeperDive
     private const double HalfAxis = 0.78;
     private const double Radius = 0.2;
 
-    /// <summary>The distance of the ball from the tips of his hands, in m.</summary>
+    /// <summary>The assumed distance of the ball from the tips of his hands, in m.</summary>
     private const double Hands = 0.1;
 
     /// <summary>The lateral distance below which he stays upright, in m.</summary>
@@ -30,7 +30,7 @@ public sealed class KeeperDive
 
     private const double Difference = 1e-4;
 
-    /// <summary>The deviation from the predicted path that counts as a new shot, in m; a hundred times that, in m/s, for the velocity.</summary>
+    /// <summary>The deviation from the predicted path that counts as a new shot, in m. The limit for the velocity is a hundred times as large, in m/s.</summary>
     private const double Notices = 0.01;
 
     /// <summary>The distance from the target of his dive within which a new shot needs no new dive, in m.</summary>
@@ -114,7 +114,7 @@ public sealed class KeeperDive
             (_from, _to, _end) = (_home, _home, double.NegativeInfinity);
             _start = double.PositiveInfinity;
 
-            // Recompute the path even if it matches: he has made no decision about it.
+            // Recompute the path even if it matches, because no decision was made for it.
             _path.Invalidate();
         }
 

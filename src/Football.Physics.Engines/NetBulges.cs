@@ -59,7 +59,7 @@ public sealed class NetBulges
             NetSheet net = _world.Nets[i];
             NetBulge before = _bulges[i];
 
-            // F = 0 if δ̇ < −1/b: the net returns more slowly than the ball.
+            // F = 0 if δ̇ < −1/b. The net then returns more slowly than the ball.
             double left = before.Depth > 0 && net.ReturnSpeed * passed < before.Depth ? before.Depth - (net.ReturnSpeed * passed) : 0;
             double side = NetSheet.SideOf(state.NetSides, i);
             double depth = (state.Nets >> i & 1) != 0 ? Math.Max(0, net.Depth(state.Position, side)) : 0;

@@ -2,13 +2,13 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Engines;
 
-/// <summary>A net as points and threads, for drawing. It hangs flat, and bulges where a ball presses it.</summary>
+/// <summary>A net as points and threads, for drawing. It hangs flat, and bulges at the position of the ball.</summary>
 public sealed class NetMesh
 {
     /// <summary>The width of a bulge, in m: at this distance from its centre, the depth is 1/e.</summary>
     private const double BulgeWidth = 0.75;
 
-    /// <summary>The maximum number of meshes along a side.</summary>
+    /// <summary>The maximum number of mesh cells along a side.</summary>
     private const int Most = 120;
 
     private readonly Vector3d[] _flat;

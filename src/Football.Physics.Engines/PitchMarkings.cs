@@ -27,7 +27,7 @@ internal sealed class PitchMarkings
         {
             foreach (double side in new[] { -1.0, 1.0 })
             {
-                // A quarter circle in each corner, inside the pitch.
+                // Add a quarter circle in each corner, inside the pitch.
                 Arc(side * x, end * z, futsal ? 0.25 : 1, Turn(-side, -end) - 0.125, Turn(-side, -end) + 0.125);
             }
 
@@ -55,7 +55,7 @@ internal sealed class PitchMarkings
         Area(post + 5.5, 5.5, end, z);
         Spot(0, end * (z - 11));
 
-        // The part of the circle around the penalty mark outside the area: cos φ = 5.5/9.15.
+        // Add the part of the circle around the penalty mark that is outside the area: cos φ = 5.5/9.15.
         const double HalfArc = 0.1474;
         double inwards = Turn(0, -end);
         Arc(0, end * (z - 11), CircleRadius, inwards - HalfArc, inwards + HalfArc);
