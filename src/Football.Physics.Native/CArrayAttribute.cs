@@ -1,10 +1,10 @@
 namespace FootballPhysics.Native;
 
-/// <summary>The array of a fixed length that a pointer of an export points to: how the header declares it.</summary>
-/// <param name="length">How many elements it has.</param>
+/// <summary>Marks a pointer parameter of an export as an array of a fixed length. The header declares it so.</summary>
+/// <param name="length">The number of elements.</param>
 [AttributeUsage(AttributeTargets.Parameter)]
 internal sealed class CArrayAttribute(int length) : Attribute
 {
-    /// <summary>How many elements it has.</summary>
+    /// <summary>The number of elements.</summary>
     public int Length { get; } = length;
 }

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Native;
 
-/// <summary>A byte of C that is no part of a text.</summary>
+/// <summary>A byte of C that is not part of a text.</summary>
 internal struct CByte
 {
-    /// <summary>Its value.</summary>
+    /// <summary>The value, 0 ... 255.</summary>
     public byte Value;
 }

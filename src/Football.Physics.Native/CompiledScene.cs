@@ -1,12 +1,12 @@
 namespace FootballPhysics.Native;
 
-/// <summary>What a handle of C stands for.</summary>
+/// <summary>A compiled scene, the object of a scene handle in C.</summary>
 internal sealed class CompiledScene : Handled
 {
-    /// <summary>An aimer that no thread uses now: it belongs to one at a time.</summary>
+    /// <summary>A spare aimer; null if it is in use or not created yet. Only one thread at a time may use an aimer.</summary>
     private Aimer? _aimer;
 
-    /// <summary>One that no thread uses now.</summary>
+    /// <summary>A spare computation of derivatives; null if it is in use or not created yet.</summary>
     private LaunchDerivatives? _derivatives;
 
     private GoalChance? _goalChance;
@@ -19,13 +19,13 @@ internal sealed class CompiledScene : Handled
         Aerodynamics = new Aerodynamics(scene);
     }
 
-    /// <summary>The scene as C# steps it.</summary>
+    /// <summary>The simulator of the scene.</summary>
     public Simulator Simulator { get; }
 
     /// <summary>The air of the scene, for bodies that C moves.</summary>
     public Aerodynamics Aerodynamics { get; }
 
-    /// <summary>An aimer, to be given back.</summary>
+    /// <summary>Returns an aimer. The caller gives it back.</summary>
     public Aimer TakeAimer() => Interlocked.Exchange(ref _aimer, null) ?? new Aimer(Simulator);
 
     /// <summary>Returns a computation of derivatives. The caller gives it back.</summary>

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>Launches and scenes from the track of a camera.</content>
+/// <content>Fits of launches and scenes to the track of a camera.</content>
 internal static unsafe partial class Exports
 {
     /// <summary>Estimates the launch of a ball, and on request factors of the scene, from its tracked positions.</summary>
@@ -63,7 +63,7 @@ internal static unsafe partial class Exports
     }
 
     /// <summary>Divides the track of a match into flights, impacts, touches and ground contact, and estimates the wind, the ball and the surface.</summary>
-    /// <param name="scene">The scene, as known before.</param>
+    /// <param name="scene">The scene, with the values known before the fit.</param>
     /// <param name="times">n times, s, in order.</param>
     /// <param name="positions">n rows x, y, z of the ball's centre, m; y is up.</param>
     /// <param name="noise">n minimum standard deviations of the coordinates, m; null for 0.02 m.</param>
@@ -75,10 +75,10 @@ internal static unsafe partial class Exports
     /// <param name="bytes">Its length in bytes; at most 1 048 576.</param>
     /// <param name="pieces">Receives the pieces, in order of time; null if capacity is 0.</param>
     /// <param name="capacity">The number of pieces that fit, 0 or more.</param>
-    /// <param name="count">Receives the number of pieces, including those that do not fit; null if it is not wanted.</param>
-    /// <param name="out">Receives the parameters; null if they are not wanted.</param>
-    /// <param name="fitted">Receives the handle of a new scene with the parameters, to be freed with fp_scene_free; null if it is not wanted.</param>
-    /// <returns>FP_OK; FP_BUFFER if there are more pieces than capacity, and all else is there; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
+    /// <param name="count">Receives the number of pieces, including those that do not fit; null to skip it.</param>
+    /// <param name="out">Receives the parameters; null to skip them.</param>
+    /// <param name="fitted">Receives the handle of a new scene with the parameters. Free it with fp_scene_free. Null to skip it.</param>
+    /// <returns>FP_OK; FP_BUFFER if there are more pieces than capacity (all other results are written); FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_fit_match")]
     public static NativeStatus FitMatch(
         [In] NativeScene* scene,
@@ -95,7 +95,7 @@ internal static unsafe partial class Exports
         NativeScene** fitted) => FindMatch(scene, times, positions, noise, n, requestJson, bytes, pieces, capacity, count, @out, fitted, null);
 
     /// <summary>The same as fp_fit_match, with progress and cancellation.</summary>
-    /// <param name="scene">The scene, as known before.</param>
+    /// <param name="scene">The scene, with the values known before the fit.</param>
     /// <param name="times">As for fp_fit_match, like all parameters up to fitted.</param>
     /// <param name="positions">n rows x, y, z, m.</param>
     /// <param name="noise">n minimum standard deviations, m; null for 0.02 m.</param>
@@ -104,9 +104,9 @@ internal static unsafe partial class Exports
     /// <param name="bytes">Its length in bytes.</param>
     /// <param name="pieces">Receives the pieces; null if capacity is 0.</param>
     /// <param name="capacity">The number of pieces that fit.</param>
-    /// <param name="count">Receives the number of pieces; null if it is not wanted.</param>
-    /// <param name="out">Receives the parameters; null if they are not wanted.</param>
-    /// <param name="fitted">Receives the handle of a new scene; null if it is not wanted.</param>
+    /// <param name="count">Receives the number of pieces; null to skip it.</param>
+    /// <param name="out">Receives the parameters; null to skip them.</param>
+    /// <param name="fitted">Receives the handle of a new scene; null to skip it.</param>
     /// <param name="watch">Shows the progress, and cancels the call; null for neither.</param>
     /// <returns>As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_fit_match_watched")]
@@ -207,7 +207,7 @@ internal static unsafe partial class Exports
         int index = launch;
         for (int i = 0; i < launch + 4; i++)
         {
-            // The factors that were estimated follow the launch, in this order.
+            // The estimated factors follow the launch, in this order.
             bool isLaunch = i < launch;
             int at = isLaunch ? i : estimated[i - launch] ? index++ : -1;
             double deviation = at >= 0 ? from.StandardError(at) : 0;

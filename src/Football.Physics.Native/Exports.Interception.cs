@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>Who gets the ball, and who scores.</content>
+/// <content>Interceptions and the probability of a goal.</content>
 internal static unsafe partial class Exports
 {
     /// <summary>Sets a player to a fit adult at the origin: reaction 0.2 s, acceleration 6 m/s^2, speed 8 m/s, reach 0.6 m, heights 0 ... 2.3 m.</summary>
@@ -32,11 +32,11 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Finds the player who reaches the ball first. If two arrive within a nanosecond, it is the one with the lower index.</summary>
+    /// <summary>Finds the player who reaches the ball first. If two players arrive within a nanosecond, returns the lower index.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="state">The ball; unchanged. Its path is predicted until it rests, and it then stays there.</param>
-    /// <param name="seconds">How far to look, s; above 0, at most 3600.</param>
-    /// <param name="players">The players now.</param>
+    /// <param name="state">The ball; unchanged. Its path is predicted until it rests; it then stays at rest.</param>
+    /// <param name="seconds">The length of the prediction, s; above 0, at most 3600.</param>
+    /// <param name="players">The players at the current time.</param>
     /// <param name="n">The number of players; 0 ... 10 000.</param>
     /// <param name="out">Receives the first player.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
@@ -73,13 +73,13 @@ internal static unsafe partial class Exports
     /// <summary>Finds all time intervals in which each player can reach the ball.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball, as for fp_intercept.</param>
-    /// <param name="seconds">How far to look, s; above 0, at most 3600.</param>
-    /// <param name="players">The players now.</param>
+    /// <param name="seconds">The length of the prediction, s; above 0, at most 3600.</param>
+    /// <param name="players">The players at the current time.</param>
     /// <param name="n">The number of players; 0 ... 10 000.</param>
     /// <param name="windows">Receives the intervals, sorted by player, then by time; null if capacity is 0.</param>
     /// <param name="capacity">The number of intervals that fit, 0 or more.</param>
-    /// <param name="count">Receives the number of intervals, including those that do not fit; null if it is not wanted.</param>
-    /// <returns>FP_OK; FP_BUFFER if there are more intervals than capacity, and the first ones are there; FP_ARGUMENT or FP_HANDLE.</returns>
+    /// <param name="count">Receives the number of intervals, including those that do not fit; null to skip it.</param>
+    /// <returns>FP_OK; FP_BUFFER if there are more intervals than capacity (the first ones are written); FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_intercept_windows")]
     public static NativeStatus InterceptWindows(
         [In] NativeScene* scene, [In] NativeState* state, double seconds, [In] NativePlayer* players, int n, NativeWindow* windows, int capacity, int* count)
@@ -170,7 +170,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Reports the number of items, and whether they fitted.</summary>
+    /// <summary>Writes the number of items. Returns FP_BUFFER if they exceed the capacity.</summary>
     private static NativeStatus Counted(int all, long capacity, int* count, string items)
     {
         if (count is not null)

@@ -2,13 +2,13 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>A match: balls that are stepped together, and bodies that the caller moves.</content>
+/// <content>Matches: several balls that are stepped together, and bodies that the caller moves.</content>
 internal static unsafe partial class Exports
 {
     /// <summary>Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.</summary>
     /// <param name="json">An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass. balls, a list of objects with a ball each, gives each ball its own size, mass and drag; ballContact is the material of their contacts.</param>
-    /// <param name="jsonBytes">Its length in bytes, without a zero at its end; at most 1 048 576.</param>
-    /// <param name="balls">The number of balls; 1 ... 10 000. If the JSON has balls, it must be their number.</param>
+    /// <param name="jsonBytes">Its length in bytes, without a terminating zero; at most 1 048 576.</param>
+    /// <param name="balls">The number of balls; 1 ... 10 000. If the JSON has a list balls, the number must equal its length.</param>
     /// <param name="dt">The length of a step, s; above 0, at most 1e12.</param>
     /// <param name="match">Receives the handle; null if the call fails.</param>
     /// <returns>FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT.</returns>
@@ -31,8 +31,8 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Frees a match. A call of another thread that uses it continues to its end.</summary>
-    /// <param name="match">The match; null, or a handle that was freed before, is rejected.</param>
+    /// <summary>Frees a match. A running call of another thread finishes normally.</summary>
+    /// <param name="match">The match; null or a freed handle is rejected.</param>
     /// <returns>FP_OK, or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_free")]
     public static NativeStatus MatchFree(NativeMatch* match)
@@ -48,18 +48,18 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Returns the name of the thing in an event of a match: "ground", "left post", that of a body or an obstacle.</summary>
+    /// <summary>Writes the name of the object of an event in a match: "ground", "left post", or the name of a body or an obstacle.</summary>
     /// <param name="match">The match.</param>
-    /// <param name="thing">The event's thing; -1 has the name "".</param>
-    /// <param name="name">Receives the name, UTF-8 with a zero at its end.</param>
-    /// <param name="capacity">The number of bytes at name, at least 1. If the name is longer, it is cut, and the call returns FP_BUFFER.</param>
+    /// <param name="thing">The member thing of the event; the name of -1 is "".</param>
+    /// <param name="name">Receives the name in UTF-8, with a terminating zero.</param>
+    /// <param name="capacity">The number of bytes at name, at least 1. If the name is longer, it is truncated, and the call returns FP_BUFFER.</param>
     /// <returns>FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_name")]
     public static NativeStatus MatchName([In] NativeMatch* match, int thing, byte* name, int capacity)
     {
         try
         {
-            return TellName(Guard.MatchOf(match).Runner.Simulator, thing, name, capacity);
+            return WriteName(Guard.MatchOf(match).Runner.Simulator, thing, name, capacity);
         }
         catch (Exception e)
         {
@@ -67,7 +67,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Moves a ball to a position, without velocity and spin, and discards its kick for the next step. The clock of the balls continues.</summary>
+    /// <summary>Moves a ball to a position, sets its velocity and spin to zero, and discards its kick for the next step. The clock of the balls continues.</summary>
     /// <param name="match">The match.</param>
     /// <param name="ball">The index of the ball, from 0.</param>
     /// <param name="position">Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.</param>
@@ -123,7 +123,7 @@ internal static unsafe partial class Exports
     /// <param name="first">The index of the first body, from 0, in the order of the JSON.</param>
     /// <param name="n">The number of bodies, 0 or more.</param>
     /// <param name="bodies">The n bodies.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and no body has moved.</returns>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with no body moved.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_move_bodies")]
     public static NativeStatus MatchMoveBodies(NativeMatch* match, int first, int n, [In] NativeBody* bodies)
     {
@@ -160,12 +160,12 @@ internal static unsafe partial class Exports
 
     /// <summary>Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.</summary>
     /// <param name="match">The match.</param>
-    /// <param name="events">Receives the events of all balls, ordered by time, then by ball; null if they are not wanted.</param>
+    /// <param name="events">Receives the events of all balls, ordered by time, then by ball; null to skip them.</param>
     /// <param name="capacity">The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.</param>
-    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.</param>
+    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null to skip it.</param>
     /// <returns>
-    /// FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken, and the first events are
-    /// there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and nothing has changed.
+    /// FP_OK; FP_BUFFER if events or count is given, and there are more events than capacity or than a step stores. The step is then complete, and the first events
+    /// are written, at most capacity or 1 024. FP_ARGUMENT or FP_HANDLE, with nothing changed.
     /// </returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_step")]
     public static NativeStatus MatchStep(NativeMatch* match, NativeMatchEvent* events, int capacity, int* count)
@@ -178,8 +178,8 @@ internal static unsafe partial class Exports
             {
                 played.Step();
                 EventBuffer happened = played.Runner.Events;
-                int told = Math.Min(capacity, happened.Count);
-                for (int i = 0; i < told; i++)
+                int written = Math.Min(capacity, happened.Count);
+                for (int i = 0; i < written; i++)
                 {
                     ref readonly BallEvent from = ref happened[i];
                     NativeMatchEvent* to = events + i;
@@ -192,7 +192,7 @@ internal static unsafe partial class Exports
                     to->AddedEnergy = from.AddedEnergy;
                 }
 
-                return Told(happened, told, events, capacity, count);
+                return Counted(happened, written, events, capacity, count);
             }
         }
         catch (Exception e)
@@ -205,7 +205,7 @@ internal static unsafe partial class Exports
     /// <param name="match">The match.</param>
     /// <param name="first">The index of the first ball, from 0.</param>
     /// <param name="n">The number of balls, 0 or more.</param>
-    /// <param name="balls">Receives the n balls; their time is the time since the match began.</param>
+    /// <param name="balls">Receives the n balls. Their time counts from the start of the match.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_read_balls")]
     public static NativeStatus MatchReadBalls([In] NativeMatch* match, int first, int n, NativeBall* balls)
@@ -234,7 +234,7 @@ internal static unsafe partial class Exports
     /// <param name="match">The match.</param>
     /// <param name="first">The index of the first body, from 0, in the order of the JSON.</param>
     /// <param name="n">The number of bodies, 0 or more.</param>
-    /// <param name="bodies">Receives the n bodies. A body is where it was at its time, and has moved on since with its velocity and spin.</param>
+    /// <param name="bodies">Receives the n bodies. Position and orientation apply at the body's time; since then it has moved with its velocity and spin.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_read_bodies")]
     public static NativeStatus MatchReadBodies([In] NativeMatch* match, int first, int n, NativeBody* bodies)
@@ -259,7 +259,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Copies a ball into a scene, for fp_look_ahead, fp_intercept and fp_aim: same place and motion. The scene decides on what it lies there.</summary>
+    /// <summary>Copies a ball into a scene, with the same position and motion, for fp_look_ahead, fp_intercept and fp_aim. The scene determines what the ball touches.</summary>
     /// <param name="match">The match; unchanged.</param>
     /// <param name="ball">The index of the ball, from 0.</param>
     /// <param name="scene">The scene, for example that of the match without its bodies.</param>
@@ -286,7 +286,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>A hash of all balls, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.</summary>
+    /// <summary>Returns a 64-bit hash of all balls. It equals Snapshot.Hash in C#, and is the same on every machine.</summary>
     /// <param name="match">The match.</param>
     /// <returns>the hash; 0 if the handle is invalid.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_hash")]
@@ -307,7 +307,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>The number of steps since the match began.</summary>
+    /// <summary>Returns the number of steps since the start of the match.</summary>
     /// <param name="match">The match.</param>
     /// <returns>the number; -1 if the handle is invalid.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_tick")]

@@ -3,15 +3,15 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>A ball launched, kicked, stepped and read.</content>
+/// <content>Functions that launch, kick, step and read balls.</content>
 internal static unsafe partial class Exports
 {
-    /// <summary>A ball at the start of its way. In the ground it is raised straight up out of it; where it lies on the ground without speed, it stays.</summary>
+    /// <summary>Launches a ball. If it overlaps the ground, it is raised vertically onto the surface. A ball on the ground without speed stays at rest.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="position">Position of the centre, m; components within +-1e6.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
-    /// <param name="out">Where the state goes.</param>
+    /// <param name="out">Receives the state.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_launch")]
     public static NativeStatus Launch(
@@ -34,7 +34,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
+    /// <summary>Kicks a ball: sets its velocity and spin, and keeps its position, time and orientation.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -55,16 +55,16 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Advances a ball, and returns the events on the way. Allocates nothing.</summary>
+    /// <summary>Advances a ball by a time, and returns the events in between. Allocates nothing.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball.</param>
-    /// <param name="dt">Time to advance by, s; 0 ... 1e12. All of it is one step of the integrator, split only at events.</param>
-    /// <param name="events">Receives the events, in order of time; null if they are not wanted.</param>
+    /// <param name="dt">Time to advance by, s; 0 ... 1e12. It is one step of the integrator, which splits it only at events.</param>
+    /// <param name="events">Receives the events, in order of time; null to skip them.</param>
     /// <param name="capacity">The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.</param>
-    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.</param>
+    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null to skip it.</param>
     /// <returns>
-    /// FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken, and the first events are
-    /// there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and the ball is as it was.
+    /// FP_OK; FP_BUFFER if events or count is given, and there are more events than capacity or than a step stores. The step is then complete, and the first events
+    /// are written, at most capacity or 1 024. FP_ARGUMENT or FP_HANDLE, with the ball unchanged.
     /// </returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_step")]
     public static NativeStatus Step([In] NativeScene* scene, NativeState* state, double dt, NativeEvent* events, int capacity, int* count)
@@ -78,7 +78,7 @@ internal static unsafe partial class Exports
             compiled.Simulator.Step(ref ball, dt, log);
             if (log.Events.Count > 0)
             {
-                return Tell(log.Events, events, capacity, count);
+                return WriteEvents(log.Events, events, capacity, count);
             }
 
             if (count is not null)
@@ -94,10 +94,10 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>What there is to see of a ball.</summary>
+    /// <summary>Reads position, velocity, spin, orientation, time and motion of a ball.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball.</param>
-    /// <param name="out">Where it goes.</param>
+    /// <param name="out">Receives them.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_read")]
     public static NativeStatus Read([In] NativeScene* scene, [In] NativeState* state, NativeBall* @out)
@@ -115,13 +115,13 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Advances many balls, each by the same steps; events are not told. To use several threads, give each a part of the balls. Allocates nothing.</summary>
+    /// <summary>Advances many balls by the same number of steps, without reporting events. To use several threads, pass each thread a part of the balls. Allocates nothing.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="states">The balls.</param>
-    /// <param name="n">How many, 0 or more.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
     /// <param name="dt">Length of a step, s; 0 ... 1e12.</param>
-    /// <param name="steps">How many steps, 0 or more.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were.</returns>
+    /// <param name="steps">The number of steps, 0 or more.</param>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with the balls unchanged.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_step_many")]
     public static NativeStatus StepMany([In] NativeScene* scene, NativeState* states, long n, double dt, int steps)
     {
@@ -149,15 +149,15 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Many balls at the start of their ways, as fp_launch.</summary>
+    /// <summary>Launches many balls, as fp_launch does.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="states">Where the states go.</param>
-    /// <param name="n">How many, 0 or more.</param>
-    /// <param name="mask">n bytes: 0 leaves a ball as it is, or unmade; null launches all.</param>
+    /// <param name="states">Receives the states.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
+    /// <param name="mask">n bytes: 0 skips a ball and leaves its state unchanged, even if uninitialised; null launches all.</param>
     /// <param name="position">n rows x, y, z, m.</param>
     /// <param name="velocity">n rows x, y, z, m/s.</param>
     /// <param name="spin">n rows x, y, z, rad/s.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and no state has been written.</returns>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with no state written.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_launch_many")]
     public static NativeStatus LaunchMany(
         [In] NativeScene* scene, NativeState* states, long n, [In] CByte* mask, [In] double* position, [In] double* velocity, [In] double* spin)
@@ -170,7 +170,7 @@ internal static unsafe partial class Exports
             Guard.Several(velocity, n, "velocity");
             Guard.Several(spin, n, "spin");
 
-            // First all of them for the refusals alone.
+            // The first pass only checks the arguments.
             for (long i = 0; i < 2 * n; i++)
             {
                 long ball = i < n ? i : i - n;
@@ -192,14 +192,14 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Kicks many balls where they are, as fp_kick.</summary>
+    /// <summary>Kicks many balls, as fp_kick does.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="states">The balls.</param>
-    /// <param name="n">How many, 0 or more.</param>
-    /// <param name="mask">n bytes: 0 leaves a ball as it is; null kicks all.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
+    /// <param name="mask">n bytes: 0 leaves a ball unchanged; null kicks all.</param>
     /// <param name="velocity">n rows x, y, z, m/s.</param>
     /// <param name="spin">n rows x, y, z, rad/s.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and no ball has been kicked.</returns>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with no ball kicked.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_kick_many")]
     public static NativeStatus KickMany([In] NativeScene* scene, NativeState* states, long n, [In] CByte* mask, [In] double* velocity, [In] double* spin)
     {
@@ -231,14 +231,14 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Where many balls are, row by row.</summary>
+    /// <summary>Reads position, velocity, spin and motion of many balls, one row per ball.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="states">The balls.</param>
-    /// <param name="n">How many, 0 or more.</param>
-    /// <param name="position">n rows x, y, z, m; null where they are not wanted.</param>
-    /// <param name="velocity">n rows x, y, z, m/s; null where they are not wanted.</param>
-    /// <param name="spin">n rows x, y, z, rad/s; null where they are not wanted.</param>
-    /// <param name="motion">n of fp_motion; null where they are not wanted.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
+    /// <param name="position">Receives n rows x, y, z, m; null to skip them.</param>
+    /// <param name="velocity">Receives n rows x, y, z, m/s; null to skip them.</param>
+    /// <param name="spin">Receives n rows x, y, z, rad/s; null to skip them.</param>
+    /// <param name="motion">Receives n values of fp_motion; null to skip them.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_read_many")]
     public static NativeStatus ReadMany([In] NativeScene* scene, [In] NativeState* states, long n, double* position, double* velocity, double* spin, int* motion)
@@ -278,11 +278,11 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>The clocks of many balls.</summary>
+    /// <summary>Reads the clocks of many balls.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="states">The balls.</param>
-    /// <param name="n">How many, 0 or more.</param>
-    /// <param name="time">n times since the launch, s.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
+    /// <param name="time">Receives n times since the launch, s.</param>
     /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_time_many")]
     public static NativeStatus TimeMany([In] NativeScene* scene, [In] NativeState* states, long n, double* time)
@@ -304,15 +304,15 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Advances many balls in equal steps until an event or a time, each for itself: until they land, or until they rest.</summary>
+    /// <summary>Advances many balls in equal steps, each until its own event (such as landing or rest) or until a time.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="states">The balls; one that its event ended is as it was just after it.</param>
-    /// <param name="n">How many, 0 or more.</param>
-    /// <param name="dt">Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.</param>
-    /// <param name="seconds">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="states">The balls. A ball whose run ends with its event has the state just after that event.</param>
+    /// <param name="n">The number of balls, 0 or more.</param>
+    /// <param name="dt">Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last step is shortened.</param>
+    /// <param name="seconds">The maximum duration, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends a run, one of fp_stop.</param>
-    /// <param name="ended">n numbers: 1 where the event ended the run, 0 where its time did; null where they are not wanted.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were.</returns>
+    /// <param name="ended">Receives n numbers: 1 if the event ended the run, 0 if the time did; null to skip them.</param>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with the balls unchanged.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_run_many")]
     public static NativeStatus RunMany([In] NativeScene* scene, NativeState* states, long n, double dt, double seconds, int stopAt, int* ended)
     {
@@ -339,9 +339,9 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Writes a state as bytes to send or to keep: little-endian on every machine, with a checksum; what Snapshot.Write writes in C#.</summary>
+    /// <summary>Writes a state as bytes to send or store, little-endian on every machine, with a checksum. Snapshot.Write in C# writes the same bytes.</summary>
     /// <param name="state">The ball.</param>
-    /// <param name="bytes">Where they go.</param>
+    /// <param name="bytes">Receives the bytes.</param>
     /// <returns>FP_OK or FP_ARGUMENT.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_snapshot_write")]
     public static NativeStatus SnapshotWrite([In] NativeState* state, [CArray(Snapshot.Size)] byte* bytes)
@@ -359,10 +359,10 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Reads what fp_snapshot_write, or Snapshot.Write in C#, wrote.</summary>
+    /// <summary>Reads the bytes that fp_snapshot_write, or Snapshot.Write in C#, wrote.</summary>
     /// <param name="bytes">The bytes.</param>
-    /// <param name="out">Where the state goes.</param>
-    /// <returns>FP_OK, or FP_ARGUMENT where the bytes are no state of a ball, or were changed on their way.</returns>
+    /// <param name="out">Receives the state.</param>
+    /// <returns>FP_OK, or FP_ARGUMENT if the bytes are not the state of a ball, or are corrupt.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_snapshot_read")]
     public static NativeStatus SnapshotRead([In][CArray(Snapshot.Size)] byte* bytes, NativeState* @out)
     {
@@ -379,20 +379,20 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Hands the events of a step over.</summary>
-    private static NativeStatus Tell(EventBuffer events, NativeEvent* into, int capacity, int* count)
+    /// <summary>Writes the events of a step, and their number.</summary>
+    private static NativeStatus WriteEvents(EventBuffer events, NativeEvent* into, int capacity, int* count)
     {
-        int told = Math.Min(capacity, events.Count);
-        for (int i = 0; i < told; i++)
+        int written = Math.Min(capacity, events.Count);
+        for (int i = 0; i < written; i++)
         {
             Put(in events[i], into + i);
         }
 
-        return Told(events, told, into, capacity, count);
+        return Counted(events, written, into, capacity, count);
     }
 
-    /// <summary>Reports the number of events, and whether they fitted.</summary>
-    private static NativeStatus Told(EventBuffer events, int told, void* into, int capacity, int* count)
+    /// <summary>Writes the number of events. Returns FP_BUFFER if some of them were not written.</summary>
+    private static NativeStatus Counted(EventBuffer events, int written, void* into, int capacity, int* count)
     {
         long all = events.Count + events.Dropped;
         if (count is not null)
@@ -400,7 +400,7 @@ internal static unsafe partial class Exports
             *count = (int)Math.Min(all, int.MaxValue);
         }
 
-        return told == all || (into is null && count is null)
+        return written == all || (into is null && count is null)
             ? NativeStatus.Ok
             : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the step had {all} events."));
     }

@@ -3,24 +3,24 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>What becomes of a ball, and which kick gets where.</content>
+/// <content>Queries: the future path of a ball, and the kick that reaches a target.</content>
 internal static unsafe partial class Exports
 {
-    /// <summary>Longest step of a look-ahead, s; the default of LookAheadRequest.</summary>
+    /// <summary>The longest step of a look-ahead, s; the default of LookAheadRequest.</summary>
     private const double LongestStep = 0.08;
 
-    /// <summary>How far a look-ahead may look, s: no ball moves so long.</summary>
+    /// <summary>The longest time of a look-ahead, s. No ball moves for longer.</summary>
     private const double FarthestAhead = 3600;
 
-    /// <summary>Where a ball will be: the simulation itself on a copy. Allocates nothing.</summary>
+    /// <summary>Predicts the path of a ball: runs the simulation on a copy. Allocates nothing.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball; unchanged.</param>
-    /// <param name="seconds">How far to look, s; 0 ... 3600.</param>
-    /// <param name="every">Time between rows, s; 1e-6 ... 3600. It is the step too, or a whole part of it, at most 0.08 s: at the game's own step the rows are the future to the bit.</param>
-    /// <param name="path">Rows t, x, y, z, s since the launch and m: now, and every so often until seconds are over; a ball that rests has rows too.</param>
-    /// <param name="rows">How many rows there is room for, 0 or more.</param>
-    /// <param name="written">Where the number of rows goes that were written; null where it is not wanted.</param>
-    /// <returns>FP_OK, FP_BUFFER where there are more rows, FP_ARGUMENT or FP_HANDLE.</returns>
+    /// <param name="seconds">The length of the prediction, s; 0 ... 3600.</param>
+    /// <param name="every">Time between rows, s; 1e-6 ... 3600. The step is every, divided by the smallest integer that makes it at most 0.08 s. If every is your game's step, the rows are bit-identical to its later steps.</param>
+    /// <param name="path">Receives rows t, x, y, z, in s since the launch and m: the first now, the others every so many seconds. A ball at rest has rows too.</param>
+    /// <param name="rows">The number of rows that fit, 0 or more.</param>
+    /// <param name="written">Receives the number of rows written; null to skip it.</param>
+    /// <returns>FP_OK, FP_BUFFER if there are more rows, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_look_ahead")]
     public static NativeStatus LookAhead([In] NativeScene* scene, [In] NativeState* state, double seconds, double every, double* path, long rows, long* written)
     {
@@ -36,11 +36,11 @@ internal static unsafe partial class Exports
                 Guard.Given(path, "path");
             }
 
-            // As many as there are, though seconds be no whole number of times the distance of the rows, as doubles go.
+            // 1e-9 absorbs the rounding error of the quotient if seconds is a multiple of every.
             long all = (long)((seconds / every) + 1e-9) + 1;
-            long told = Math.Min(all, rows);
+            long filled = Math.Min(all, rows);
             int parts = (int)Math.Ceiling(every / LongestStep);
-            for (long row = 0; row < told; row++)
+            for (long row = 0; row < filled; row++)
             {
                 StepLog log = ThreadMemory.Mine.ClearLog();
                 for (int part = 0; row > 0 && part < parts; part++)
@@ -54,10 +54,10 @@ internal static unsafe partial class Exports
 
             if (written is not null)
             {
-                *written = told;
+                *written = filled;
             }
 
-            return told == all
+            return filled == all
                 ? NativeStatus.Ok
                 : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"rows is {rows}; the look-ahead has {all}."));
         }
@@ -67,15 +67,15 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Finds a kick.</summary>
+    /// <summary>Finds a kick that reaches a target.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="requestJson">An object in UTF-8 with the members of a scenario's aim: from, target, speed, and those that may be left out.</param>
+    /// <param name="requestJson">An object in UTF-8 with the members of a scenario's aim: from, target, speed, and the optional ones.</param>
     /// <param name="bytes">Its length in bytes; at most 1 048 576.</param>
-    /// <param name="velocity">Where the velocity of the kick goes, m/s: whatever the verdict, the best one found.</param>
-    /// <param name="spin">Where its spin goes, rad/s, world frame.</param>
-    /// <param name="miss">Where the distance goes by which that kick misses the target, m; null where it is not wanted.</param>
-    /// <param name="aimStatus">Where the verdict goes, one of fp_aim_status; null where it is not wanted.</param>
-    /// <returns>FP_OK, whatever the verdict; FP_SCENE where the text is refused, FP_ARGUMENT or FP_HANDLE.</returns>
+    /// <param name="velocity">Receives the velocity of the best kick found, m/s, whatever the verdict.</param>
+    /// <param name="spin">Receives the spin of that kick, rad/s, world frame.</param>
+    /// <param name="miss">Receives the distance by which that kick misses the target, m; null to skip it.</param>
+    /// <param name="aimStatus">Receives the verdict, one of fp_aim_status; null to skip it.</param>
+    /// <returns>FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_aim")]
     public static NativeStatus Aim([In] NativeScene* scene, [In] byte* requestJson, long bytes, [CArray(3)] double* velocity, [CArray(3)] double* spin, double* miss, int* aimStatus)
     {
@@ -105,15 +105,15 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Runs a ball to an event or a time, and finds how its place there changes with the launch: derivatives, by one run.</summary>
+    /// <summary>Runs a ball to an event or a time, and computes the derivatives of its final position with respect to the launch, in one run.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="state">The ball; its motion now is the launch. It is then as after fp_run_many.</param>
-    /// <param name="dt">Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.</param>
-    /// <param name="seconds">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="state">The ball. Its current motion is the launch. Receives the state at the end, as in fp_run_many.</param>
+    /// <param name="dt">Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last step is shortened.</param>
+    /// <param name="seconds">The maximum duration, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run, one of fp_stop.</param>
-    /// <param name="out">Where the derivatives go.</param>
-    /// <param name="ended">1 where the event ended the run, 0 where its time did; null where it is not wanted.</param>
-    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and the ball is as it was.</returns>
+    /// <param name="out">Receives the derivatives.</param>
+    /// <param name="ended">Receives 1 if the event ended the run, 0 if the time did; null to skip it.</param>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with the ball unchanged.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_derivatives_run")]
     public static NativeStatus DerivativesRun([In] NativeScene* scene, NativeState* state, double dt, double seconds, int stopAt, NativeDerivatives* @out, int* ended)
     {
@@ -144,7 +144,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>A matrix by rows.</summary>
+    /// <summary>Writes a matrix row by row.</summary>
     private static void Put(Matrix3d from, double* to)
     {
         Put(from.X, to);

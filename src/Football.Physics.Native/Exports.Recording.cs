@@ -3,15 +3,15 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <content>A match as bytes: saved for a rollback, or recorded to be replayed.</content>
+/// <content>Matches as bytes: saved for a rollback, or recorded for a replay.</content>
 internal static unsafe partial class Exports
 {
-    /// <summary>Saves a match between two steps: balls, kicks, bodies and movable obstacles. The same bits follow after fp_match_restore. Allocates nothing.</summary>
+    /// <summary>Saves a match between two steps: balls, kicks, bodies and movable obstacles. After fp_match_restore, the steps are bit-identical. Allocates nothing.</summary>
     /// <param name="match">The match.</param>
     /// <param name="bytes">Receives the bytes, which are the same on every machine; null if capacity is 0.</param>
     /// <param name="capacity">The number of bytes that fit, 0 or more.</param>
-    /// <param name="written">Receives the number of bytes of the whole, which is fixed for a match; null if it is not wanted.</param>
-    /// <returns>FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT or FP_HANDLE.</returns>
+    /// <param name="written">Receives the total number of bytes, which is fixed for a match; null to skip it.</param>
+    /// <returns>FP_OK; FP_BUFFER if capacity is too small, with nothing written at bytes; FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_save")]
     public static NativeStatus MatchSave([In] NativeMatch* match, CByte* bytes, long capacity, long* written)
     {
@@ -37,11 +37,11 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Restores what fp_match_save saved, also in another process or on another machine. Allocates nothing.</summary>
-    /// <param name="match">The match that was saved, or one that was created with the same arguments by the same version of the library.</param>
+    /// <summary>Restores a match from the bytes of fp_match_save, also in another process or on another machine. Allocates nothing.</summary>
+    /// <param name="match">The saved match, or one that was created with the same arguments by the same version of the library.</param>
     /// <param name="bytes">The bytes.</param>
     /// <param name="n">The number of bytes.</param>
-    /// <returns>FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE: nothing has changed.</returns>
+    /// <returns>FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE, with nothing changed.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_restore")]
     public static NativeStatus MatchRestore(NativeMatch* match, [In] CByte* bytes, long n)
     {
@@ -90,8 +90,8 @@ internal static unsafe partial class Exports
     /// <param name="match">The match.</param>
     /// <param name="bytes">Receives the bytes; null if capacity is 0.</param>
     /// <param name="capacity">The number of bytes that fit, 0 or more.</param>
-    /// <param name="written">Receives the number of bytes of the whole; null if it is not wanted.</param>
-    /// <returns>FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT if nothing is recorded, or FP_HANDLE.</returns>
+    /// <param name="written">Receives the total number of bytes; null to skip it.</param>
+    /// <returns>FP_OK; FP_BUFFER if capacity is too small, with nothing written at bytes; FP_ARGUMENT if no recording was started, or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_recording")]
     public static NativeStatus MatchRecording([In] NativeMatch* match, CByte* bytes, long capacity, long* written)
     {
@@ -193,7 +193,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Tells how many bytes there are, and whether they fitted.</summary>
+    /// <summary>Writes the number of bytes. Returns FP_BUFFER if it exceeds the capacity.</summary>
     private static NativeStatus Fits(int size, long capacity, long* written)
     {
         if (written is not null)

@@ -3,20 +3,20 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Native;
 
-/// <summary>The functions that C sees. The header is made of them and of their documentation.</summary>
+/// <summary>The functions that C calls. Their declarations and comments generate the header.</summary>
 /// <remarks>
-/// None throws, keeps a pointer of the caller's, or calls back. A refused call has changed nothing that the caller gave. What a step needs was made with the
-/// scene, and by the first call of the thread: a step allocates nothing.
+/// No function throws, keeps a pointer of the caller, or calls back. A call that fails its checks changes no data of the caller. The scene, and the first call of
+/// a thread, allocate the memory of a step; a step itself allocates nothing.
 /// </remarks>
 internal static unsafe partial class Exports
 {
-    /// <summary>The version of the interface: sizes, names and meaning.</summary>
+    /// <summary>The version of the interface. It changes with sizes, names and meanings.</summary>
     public const int AbiVersion = 1;
 
     private static readonly byte* s_noError = MakeText("");
     private static readonly byte* s_version = MakeText(typeof(Scene).Assembly.GetName().Version!.ToString(3));
 
-    /// <summary>Checks that header and library belong together. Call it once, as FP_CHECK_ABI().</summary>
+    /// <summary>Checks that the header matches the library. Call it once, as FP_CHECK_ABI().</summary>
     /// <param name="version">FP_ABI_VERSION.</param>
     /// <param name="stateBytes">sizeof(fp_state).</param>
     /// <param name="ballBytes">sizeof(fp_ball).</param>
@@ -57,13 +57,13 @@ internal static unsafe partial class Exports
             : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");
     }
 
-    /// <summary>The version of the library, like "0.1.0".</summary>
-    /// <returns>a text in UTF-8, for as long as the library is loaded.</returns>
+    /// <summary>Returns the version of the library, for example "0.1.0".</summary>
+    /// <returns>a text in UTF-8, valid while the library is loaded.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_version")]
     public static byte* Version() => s_version;
 
-    /// <summary>The sentence of the last call of this thread that failed: field, value and range. No call that succeeds changes it.</summary>
-    /// <returns>a text in UTF-8, until the thread's next call that fails; "" where none has.</returns>
+    /// <summary>Returns the message of the last call of this thread that failed: field, value and range. A call that succeeds does not change it.</summary>
+    /// <returns>a text in UTF-8, valid until the thread's next call that fails; "" if no call has failed.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_last_error")]
     public static byte* LastError()
     {
@@ -79,10 +79,10 @@ internal static unsafe partial class Exports
     }
 
     /// <summary>Reads, checks and compiles a scene.</summary>
-    /// <param name="json">An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, zones, dials, solver; {} is the default scene.</param>
-    /// <param name="jsonBytes">Its length in bytes, without a zero at its end; at most 1 048 576.</param>
-    /// <param name="scene">Where the handle goes; null there where the call fails.</param>
-    /// <returns>FP_OK, FP_SCENE where the text is refused, or FP_ARGUMENT.</returns>
+    /// <param name="json">An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, zones, dials, solver; {} for the default scene.</param>
+    /// <param name="jsonBytes">Its length in bytes, without a terminating zero; at most 1 048 576.</param>
+    /// <param name="scene">Receives the handle; null if the call fails.</param>
+    /// <returns>FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_scene_create")]
     public static NativeStatus SceneCreate([In] byte* json, long jsonBytes, NativeScene** scene)
     {
@@ -100,8 +100,8 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Frees a scene. A call of another thread that uses it goes on to its end.</summary>
-    /// <param name="scene">The scene; a handle that is freed twice is refused, and so is null.</param>
+    /// <summary>Frees a scene. A running call of another thread finishes normally.</summary>
+    /// <param name="scene">The scene; null or a freed handle is rejected.</param>
     /// <returns>FP_OK, or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_scene_free")]
     public static NativeStatus SceneFree(NativeScene* scene)
@@ -117,18 +117,18 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>The name of what an event tells of: "ground", "left post", an obstacle's.</summary>
+    /// <summary>Writes the name of the object of an event: "ground", "left post", or the name of an obstacle.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="thing">The event's thing; -1 has the name "".</param>
-    /// <param name="name">Where it goes, UTF-8 with a zero at its end.</param>
-    /// <param name="capacity">Bytes there, at least 1; where they are too few, the name is cut, and the call returns FP_BUFFER.</param>
+    /// <param name="thing">The member thing of the event; the name of -1 is "".</param>
+    /// <param name="name">Receives the name in UTF-8, with a terminating zero.</param>
+    /// <param name="capacity">The number of bytes at name, at least 1. If the name is longer, it is truncated, and the call returns FP_BUFFER.</param>
     /// <returns>FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_name")]
     public static NativeStatus Name([In] NativeScene* scene, int thing, byte* name, int capacity)
     {
         try
         {
-            return TellName(Guard.SceneOf(scene).Simulator, thing, name, capacity);
+            return WriteName(Guard.SceneOf(scene).Simulator, thing, name, capacity);
         }
         catch (Exception e)
         {
@@ -136,10 +136,10 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>The energy that an impact with a bumper added to the ball: an obstacle whose restitution is above 1, or that has a least exit speed.</summary>
+    /// <summary>Computes the energy that an impact with a bumper added to the ball. A bumper is an obstacle with a restitution above 1 or a minimum exit speed.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="event">An event of a step in that scene.</param>
-    /// <returns>the energy, J; 0 for any other event, and where a pointer is refused.</returns>
+    /// <returns>the energy, J; 0 for any other event, or if a pointer is rejected.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_added_energy")]
     public static double AddedEnergy([In] NativeScene* scene, [In] NativeEvent* @event)
     {
@@ -153,7 +153,7 @@ internal static unsafe partial class Exports
                 return 0;
             }
 
-            // Colliders are the ground, then the obstacles. Their motion is constant, and none of them has a mass.
+            // The first collider is the ground, the others are the obstacles. Their motion is constant, and none of them has a mass.
             Obstacle hit = made.Obstacles[@event->Thing - 1];
             Vector3d n = Guard.Vector(@event->Normal, "event");
             Vector3d contact = Guard.Vector(@event->Position, "event") - (made.Ball.Radius * n);
@@ -171,9 +171,9 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>A hash of a state, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.</summary>
+    /// <summary>Returns a 64-bit hash of a state. It equals Snapshot.Hash in C#, and is the same on every machine.</summary>
     /// <param name="state">The state.</param>
-    /// <returns>the hash; 0 where the state is null.</returns>
+    /// <returns>the hash; 0 if the state is null.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_hash")]
     public static ulong Hash([In] NativeState* state)
     {
@@ -189,7 +189,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    private static NativeStatus TellName(Simulator simulator, int thing, byte* name, int capacity)
+    private static NativeStatus WriteName(Simulator simulator, int thing, byte* name, int capacity)
     {
         Guard.Given(name, "name");
         Guard.AtLeast(capacity, 1, "capacity");

@@ -5,33 +5,33 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Native;
 
-/// <summary>The checks that every call makes first, and their error messages.</summary>
+/// <summary>Checks the arguments of the exports, and stores their error messages.</summary>
 internal static unsafe class Guard
 {
-    /// <summary>The longest time that anything takes, s.</summary>
+    /// <summary>The largest time and the largest duration, s.</summary>
     public const double LongestTime = 1e12;
 
-    /// <summary>Steps that a run may have.</summary>
+    /// <summary>The largest number of steps of a run.</summary>
     private const double MostSteps = 1e12;
 
     /// <summary>The suffix that the runtime adds to the message of an argument exception.</summary>
     private const string ParameterSuffix = " (Parameter '";
 
-    /// <summary>The scene of a handle.</summary>
-    /// <exception cref="HandleException">It has none.</exception>
+    /// <summary>Returns the scene of a handle.</summary>
+    /// <exception cref="HandleException">The handle is not that of a scene.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static CompiledScene SceneOf(NativeScene* handle) => Handles.Find((nuint)handle) as CompiledScene ?? throw Invalid((nuint)handle, "scene");
 
-    /// <summary>The match of a handle.</summary>
-    /// <exception cref="HandleException">It has none.</exception>
+    /// <summary>Returns the match of a handle.</summary>
+    /// <exception cref="HandleException">The handle is not that of a match.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Match MatchOf(NativeMatch* handle) => Handles.Find((nuint)handle) as Match ?? throw Invalid((nuint)handle, "match");
 
-    /// <summary>The status of a new handle.</summary>
+    /// <summary>Returns the status of a new handle.</summary>
     public static NativeStatus Made(nuint handle) =>
         handle != 0 ? NativeStatus.Ok : Fail(NativeStatus.Internal, "There are 1 048 575 scenes and matches. Free some.");
 
-    /// <summary>Refuses null.</summary>
+    /// <summary>Throws if a pointer is null.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Given(void* pointer, string name)
     {
@@ -41,14 +41,14 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Three numbers of the caller's.</summary>
+    /// <summary>Reads a vector of the caller.</summary>
     public static Vector3d Vector(double* from, string name)
     {
         Given(from, name);
         return new Vector3d(from[0], from[1], from[2]);
     }
 
-    /// <summary>A state of the caller's, where it lies.</summary>
+    /// <summary>Checks a state of the caller, and returns a reference to it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ref BallState State(NativeState* state, CompiledScene scene)
     {
@@ -75,7 +75,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Throws unless the items from one index on are among those that there are, and their array is given.</summary>
+    /// <summary>Throws unless first and n select a range of the count items, and the array is given.</summary>
     public static void Items(void* items, string name, int first, int n, int count)
     {
         Within(first, 0, count, "first");
@@ -86,7 +86,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Throws unless items have room, or none are wanted.</summary>
+    /// <summary>Throws if the capacity is negative, or above 0 without an array.</summary>
     public static void Room(void* items, string name, int capacity)
     {
         if (capacity != 0)
@@ -96,7 +96,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Throws unless the players and the time of a search are possible.</summary>
+    /// <summary>Throws if the players or the time of a search are out of range.</summary>
     public static void Players(NativePlayer* players, int n, double seconds)
     {
         Within(seconds, double.Epsilon, 3600, "seconds");
@@ -107,7 +107,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>A player of the caller's.</summary>
+    /// <summary>Checks a player of the caller, and returns it.</summary>
     public static Player Player(NativePlayer* player, int index)
     {
         try
@@ -140,7 +140,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Throws unless a number of bytes is possible, and the bytes are given.</summary>
+    /// <summary>Throws if a number of bytes is negative, or above 0 without the bytes.</summary>
     public static void Bytes(void* bytes, long count, string name)
     {
         AtLeast(count, 0, name);
@@ -177,7 +177,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Refuses a number of states that cannot be.</summary>
+    /// <summary>Throws if a number of states is out of range, or above 0 without the states.</summary>
     public static void Several(void* first, long count, string name)
     {
         if (count < 0 || count > long.MaxValue / NativeState.Size)
@@ -191,7 +191,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Refuses a run whose numbers are out of range, for any of several balls.</summary>
+    /// <summary>Throws if the numbers of a run of several balls are out of range.</summary>
     public static void Run(NativeState* states, long count, double dt, double seconds, int stopAt)
     {
         Within(dt, double.Epsilon, LongestTime, "dt");
@@ -207,7 +207,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Refuses a whole number below a bound.</summary>
+    /// <summary>Throws if an integer is below a bound.</summary>
     public static void AtLeast(long value, long low, string name)
     {
         if (value < low)
@@ -216,7 +216,7 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Refuses a number that is not within bounds, NaN included.</summary>
+    /// <summary>Throws if a number is not within bounds, or is NaN.</summary>
     public static void Within(double value, double low, double high, string name)
     {
         if (!(value >= low && value <= high))
@@ -225,10 +225,10 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>The refusal of an argument.</summary>
+    /// <summary>Returns the exception for a rejected argument.</summary>
     public static ArgumentException Refusal(string name, string value, string allowed) => new($"{name} is {value}; allowed: {allowed}.");
 
-    /// <summary>Stores the message of a failed call.</summary>
+    /// <summary>Stores the message of a failed call, and returns its status.</summary>
     public static NativeStatus Fail(Exception exception)
     {
         NativeStatus status = exception switch
@@ -244,8 +244,8 @@ internal static unsafe class Guard
         return Fail(status, suffix < 0 ? sentence : sentence[..suffix]);
     }
 
-    /// <summary>Keeps a sentence.</summary>
-    /// <returns>The status.</returns>
+    /// <summary>Stores a message, and returns the status.</summary>
+    /// <returns>The status that was passed.</returns>
     public static NativeStatus Fail(NativeStatus status, string sentence)
     {
         try
@@ -254,7 +254,7 @@ internal static unsafe class Guard
         }
         catch (OutOfMemoryException)
         {
-            // The status has to do.
+            // Without memory for the message, return only the status.
         }
 
         return status;
@@ -270,6 +270,6 @@ internal static unsafe class Guard
     private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
 }
 
-/// <summary>A handle is invalid.</summary>
-/// <param name="message">The sentence.</param>
+/// <summary>The exception for an invalid handle.</summary>
+/// <param name="message">The message.</param>
 internal sealed class HandleException(string message) : Exception(message);

@@ -2,17 +2,17 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Native;
 
-/// <summary>The objects and matches that C holds.</summary>
+/// <summary>The scenes and matches that C refers to.</summary>
 /// <remarks>
 /// A handle combines an index in a table with a counter, so a freed or invented handle is detected. An object that is freed while another thread uses it lives
 /// until that call returns.
 /// </remarks>
 internal static class Handles
 {
-    /// <summary>Bits of a handle that tell the place; 0 is none, so that no handle is null.</summary>
-    private const int PlaceBits = 20;
+    /// <summary>The number of bits of a handle that hold the index. Index 0 is unused, so that no handle is null.</summary>
+    private const int IndexBits = 20;
 
-    private const nuint PlaceMask = ((nuint)1 << PlaceBits) - 1;
+    private const nuint IndexMask = ((nuint)1 << IndexBits) - 1;
 
     private static readonly Lock s_lock = new();
     private static readonly Stack<int> s_free = [];
@@ -25,37 +25,37 @@ internal static class Handles
     {
         lock (s_lock)
         {
-            if (!s_free.TryPop(out int place))
+            if (!s_free.TryPop(out int index))
             {
-                if (s_used > (int)PlaceMask)
+                if (s_used > (int)IndexMask)
                 {
                     return 0;
                 }
 
-                place = s_used++;
+                index = s_used++;
             }
 
-            if (place >= s_objects.Length)
+            if (index >= s_objects.Length)
             {
-                // A thread that still reads the old table finds its old entries.
+                // A thread that still reads the old table finds the old entries there.
                 Handled?[] larger = new Handled?[2 * s_objects.Length];
                 s_objects.CopyTo(larger, 0);
                 Volatile.Write(ref s_objects, larger);
             }
 
-            handled.Handle = (++s_given << PlaceBits) | (nuint)place;
-            Volatile.Write(ref s_objects[place], handled);
+            handled.Handle = (++s_given << IndexBits) | (nuint)index;
+            Volatile.Write(ref s_objects[index], handled);
             return handled.Handle;
         }
     }
 
-    /// <summary>The object of a handle; null if the handle is invalid.</summary>
+    /// <summary>Returns the object of a handle; null if the handle is invalid.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Handled? Find(nuint handle)
     {
         Handled?[] objects = Volatile.Read(ref s_objects);
-        nuint place = handle & PlaceMask;
-        if (place < (nuint)objects.Length && Volatile.Read(ref objects[place]) is { } found && found.Handle == handle)
+        nuint index = handle & IndexMask;
+        if (index < (nuint)objects.Length && Volatile.Read(ref objects[index]) is { } found && found.Handle == handle)
         {
             return found;
         }
@@ -63,7 +63,7 @@ internal static class Handles
         return null;
     }
 
-    /// <summary>Frees a handle; false if the handle is invalid.</summary>
+    /// <summary>Frees a handle. Returns false if the handle is invalid.</summary>
     public static bool Remove(nuint handle)
     {
         lock (s_lock)
@@ -73,9 +73,9 @@ internal static class Handles
                 return false;
             }
 
-            int place = (int)(handle & PlaceMask);
-            s_objects[place] = null;
-            s_free.Push(place);
+            int index = (int)(handle & IndexMask);
+            s_objects[index] = null;
+            s_free.Push(index);
             return true;
         }
     }
@@ -84,6 +84,6 @@ internal static class Handles
 /// <summary>An object that C refers to by a handle.</summary>
 internal abstract class Handled
 {
-    /// <summary>The handle; 0 until there is one.</summary>
+    /// <summary>The handle; 0 before the object gets one.</summary>
     public nuint Handle { get; set; }
 }

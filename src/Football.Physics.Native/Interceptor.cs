@@ -1,6 +1,6 @@
 namespace FootballPhysics.Native;
 
-/// <summary>Predicts the path of a ball, and finds who reaches it. A call allocates only if the path or the number of players differs from the last call.</summary>
+/// <summary>Predicts the path of a ball, and finds the players who reach it. A call allocates only if the path or the number of players differs from the last call.</summary>
 /// <param name="simulator">The scene.</param>
 internal sealed unsafe class Interceptor(Simulator simulator)
 {
@@ -12,10 +12,10 @@ internal sealed unsafe class Interceptor(Simulator simulator)
     private Trajectory _path = new(ShortestPath);
     private Player[] _players = [];
 
-    /// <summary>The results.</summary>
+    /// <summary>The results of the last call.</summary>
     public Interception Interception { get; } = new();
 
-    /// <summary>Finds the first player, and when he reaches the ball.</summary>
+    /// <summary>Finds the player who reaches the ball first, and the point of the path.</summary>
     public int FindFirst(in BallState ball, double seconds, NativePlayer* players, int n, out PathPoint at)
     {
         Prepare(in ball, seconds, players, n);

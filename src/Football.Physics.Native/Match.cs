@@ -1,6 +1,6 @@
 namespace FootballPhysics.Native;
 
-/// <summary>A match that C steps: a runner of one or more balls in a scene of its own.</summary>
+/// <summary>A match, the object of a match handle in C: a runner of one or more balls with its own scene.</summary>
 internal sealed class Match : Handled
 {
     private readonly Recording? _replayed;
@@ -8,8 +8,8 @@ internal sealed class Match : Handled
     private readonly int _firstBody;
 
     /// <summary>Creates a match.</summary>
-    /// <param name="runner">The balls, in a scene that nothing else uses.</param>
-    /// <param name="replayed">The recording that it replays; null if the caller plays.</param>
+    /// <param name="runner">The balls, in a scene that no other object uses.</param>
+    /// <param name="replayed">The recording that the match replays; null if the caller plays.</param>
     public Match(FixedStepRunner runner, Recording? replayed)
     {
         Runner = runner;
@@ -33,7 +33,7 @@ internal sealed class Match : Handled
     public MatchBlob Blob { get; }
 
     /// <summary>The recording that the match replays.</summary>
-    /// <exception cref="ArgumentException">It replays none.</exception>
+    /// <exception cref="ArgumentException">The match does not replay a recording.</exception>
     public Recording Replayed => _replayed ?? throw new ArgumentException("match replays no recording. Create it with fp_match_replay.");
 
     /// <summary>Throws if the match replays a recording, which determines its kicks and bodies.</summary>
@@ -62,17 +62,17 @@ internal sealed class Match : Handled
     /// <summary>Sets the impulses of the last step to zero.</summary>
     public void ForgetImpulses() => Array.Clear(_impulses);
 
-    /// <summary>The impulse of the balls on a body in the last step.</summary>
+    /// <summary>Returns the impulse of the balls on a body in the last step, N s.</summary>
     public Vector3d ImpulseOn(int body) => _impulses[body];
 
-    /// <summary>The impulse on the ball in an event.</summary>
+    /// <summary>Returns the impulse on the ball in an event, N s.</summary>
     public Vector3d Impulse(in BallEvent happened) =>
         happened.Kind == BallEventKind.Impact ? SimulatorOf(happened.Ball).Scene.Ball.Mass * (happened.Velocity - happened.VelocityBefore) : Vector3d.Zero;
 
-    /// <summary>The compiled scene of a ball, which has its own properties.</summary>
+    /// <summary>Returns the compiled scene of a ball, which has its own properties.</summary>
     public Simulator SimulatorOf(int ball) => Runner.Group is { } group ? group.SimulatorOf(ball) : Runner.Simulator;
 
-    /// <summary>The index of the body in an event; -1 if it is not about a body.</summary>
+    /// <summary>Returns the index of the body in an event; -1 if the event has no body.</summary>
     public int BodyOf(in BallEvent happened)
     {
         int body = happened.ColliderIndex - _firstBody;

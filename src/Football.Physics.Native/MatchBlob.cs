@@ -99,7 +99,7 @@ internal sealed class MatchBlob
         FixedStepRunner runner = _match.Runner;
         World world = runner.Simulator.World;
 
-        // The bodies first, then the balls: the runner stores both.
+        // Restore the bodies before the balls: the runner stores both.
         world.Bodies?.ForgetTimes();
         if (_motions.Length > 0)
         {
@@ -181,7 +181,7 @@ internal sealed class MatchBlob
             motion.IsWithdrawn = (flags & Withdrawn) != 0;
             _moved[i] = (flags & Moved) != 0;
 
-            // A pushed object may be farther away, and faster, than the bodies that a game may place.
+            // A pushed object may be farther away, and faster, than a body that a game places.
             bool isFree = !_moved[i] || motion.IsWithdrawn;
             Check.Size("body.position", motion.Origin, isFree ? double.MaxValue : Limits.Length, "m");
             Check.Size("body.velocity", motion.Velocity, isFree ? double.MaxValue : Limits.Speed, "m/s");

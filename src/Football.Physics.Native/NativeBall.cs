@@ -1,6 +1,6 @@
 namespace FootballPhysics.Native;
 
-/// <summary>What there is to see of a ball. Right-handed, y up, SI.</summary>
+/// <summary>The visible state of a ball. Right-handed, y up, SI units.</summary>
 internal unsafe struct NativeBall
 {
     /// <summary>Position of the centre, m.</summary>

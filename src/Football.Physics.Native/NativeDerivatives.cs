@@ -1,23 +1,23 @@
 namespace FootballPhysics.Native;
 
-/// <summary>How the end of a run changes with its launch. Matrices by rows: the row is the component of the place, the column that of the launch.</summary>
+/// <summary>The derivatives of the end of a run with respect to its launch. Matrices by rows: a row is a component at the end, a column one of the launch.</summary>
 internal unsafe struct NativeDerivatives
 {
-    /// <summary>The place at the end by the velocity of the launch, s; at an event the place is that at the event, whose time moves too.</summary>
+    /// <summary>The final position by the velocity of the launch, s. At an event, it is the position at the event, whose time changes too.</summary>
     public fixed double PositionByVelocity[9];
 
-    /// <summary>The place at the end by the spin of the launch, m s/rad.</summary>
+    /// <summary>The final position by the spin of the launch, m s/rad.</summary>
     public fixed double PositionBySpin[9];
 
-    /// <summary>The velocity at the end, before the event there, by the velocity of the launch.</summary>
+    /// <summary>The final velocity, before the event, by the velocity of the launch.</summary>
     public fixed double VelocityByVelocity[9];
 
-    /// <summary>The velocity at the end, before the event there, by the spin of the launch, m/rad.</summary>
+    /// <summary>The final velocity, before the event, by the spin of the launch, m/rad.</summary>
     public fixed double VelocityBySpin[9];
 
-    /// <summary>The time of the end by the velocity of the launch, s^2/m; zero where its time ended the run.</summary>
+    /// <summary>The final time by the velocity of the launch, s^2/m; zero if the time ended the run.</summary>
     public fixed double TimeByVelocity[3];
 
-    /// <summary>The time of the end by the spin of the launch, s^2/rad; zero where its time ended the run.</summary>
+    /// <summary>The final time by the spin of the launch, s^2/rad; zero if the time ended the run.</summary>
     public fixed double TimeBySpin[3];
 }

@@ -1,18 +1,18 @@
 namespace FootballPhysics.Native;
 
-/// <summary>Something that happened inside a step, at its exact time and place.</summary>
+/// <summary>An event inside a step, at its exact time and position.</summary>
 internal unsafe struct NativeEvent
 {
     /// <summary>The kind, one of fp_event_kind.</summary>
     public int Kind;
 
-    /// <summary>What was hit, met or passed, or carries the ball: its index among the things of the scene, whose name fp_name tells; -1 for none.</summary>
+    /// <summary>The index in the scene of the object that the ball hits, touches or passes, or that supports it; -1 if there is none. fp_name writes its name.</summary>
     public int Thing;
 
-    /// <summary>When, s since the launch.</summary>
+    /// <summary>The time, s since the launch.</summary>
     public double Time;
 
-    /// <summary>Where the centre was, m.</summary>
+    /// <summary>The position of the ball's centre, m.</summary>
     public fixed double Position[3];
 
     /// <summary>Velocity just before, m/s.</summary>
@@ -27,6 +27,6 @@ internal unsafe struct NativeEvent
     /// <summary>Spin just after, rad/s.</summary>
     public fixed double Spin[3];
 
-    /// <summary>Normal of the contact, from the thing to the ball, of length 1; zero where there is none.</summary>
+    /// <summary>The unit normal of the contact, from the object to the ball; zero without a contact.</summary>
     public fixed double Normal[3];
 }

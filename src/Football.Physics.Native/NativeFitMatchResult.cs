@@ -1,12 +1,12 @@
 namespace FootballPhysics.Native;
 
-/// <summary>What all pieces of a match track have in common.</summary>
+/// <summary>The parameters that all pieces of a match track share.</summary>
 internal unsafe struct NativeFitMatchResult
 {
     /// <summary>The number of parameters.</summary>
     public const int Parameters = 12;
 
-    /// <summary>The parameters, in the order of fp_fit_parameter; one that was not estimated has its value in the scene, and a factor is then 1.</summary>
+    /// <summary>The parameters, in the order of fp_fit_parameter. A parameter that was not estimated has its value in the scene; a factor is then 1.</summary>
     public fixed double Values[Parameters];
 
     /// <summary>The standard errors of the parameters; 0 if a parameter was not estimated.</summary>

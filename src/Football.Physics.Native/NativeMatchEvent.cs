@@ -3,7 +3,7 @@ namespace FootballPhysics.Native;
 /// <summary>An event of one of the balls of a match.</summary>
 internal unsafe struct NativeMatchEvent
 {
-    /// <summary>The event. fp_match_name returns the name of its thing.</summary>
+    /// <summary>The event. fp_match_name writes the name of its object.</summary>
     public NativeEvent Event;
 
     /// <summary>The index of the ball.</summary>
@@ -18,7 +18,7 @@ internal unsafe struct NativeMatchEvent
     /// <summary>0.</summary>
     public int Reserved;
 
-    /// <summary>The impulse on the ball in an impact, N s; zero for other events. The thing received the opposite impulse.</summary>
+    /// <summary>The impulse on the ball in an impact, N s; zero for other events. The other object received the opposite impulse.</summary>
     public fixed double Impulse[3];
 
     /// <summary>The energy that a bumper added to the ball, J; otherwise 0.</summary>

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Native;
 
 /// <summary>
-/// A scene, checked and compiled; nothing changes it, and any number of threads may use it at once, also while one of them frees it. The pointer is a handle,
-/// not an address.
+/// A checked and compiled scene. It is immutable. Any number of threads may use it concurrently, even while one of them frees it. The pointer is a handle, not
+/// an address.
 /// </summary>
 internal struct NativeScene
 {

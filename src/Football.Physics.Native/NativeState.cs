@@ -1,14 +1,14 @@
 namespace FootballPhysics.Native;
 
 /// <summary>
-/// The whole state of a ball, plain: copy it to save, to restore and to roll back; balls in the same state have the same bytes. fp_launch makes one; all
-/// zero bytes are none.
+/// The complete state of a ball, as plain bytes. Copy it to save, restore or roll back. Balls in the same state have the same bytes. fp_launch creates a state;
+/// all zero bytes are not a valid one.
 /// </summary>
 internal unsafe struct NativeState
 {
-    /// <summary>How many bytes a state has.</summary>
+    /// <summary>The number of bytes of a state.</summary>
     public const int Size = 216;
 
-    /// <summary>The bytes: of use to the library alone, and to this version of it.</summary>
+    /// <summary>The bytes. Only this version of the library reads them.</summary>
     public fixed byte Bytes[Size];
 }

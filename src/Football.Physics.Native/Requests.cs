@@ -4,10 +4,10 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Native;
 
-/// <summary>Scenes and requests for kicks that come as text; their members are those of a scenario.</summary>
+/// <summary>Reads scenes and requests from JSON. Their members are those of a scenario.</summary>
 internal static unsafe class Requests
 {
-    /// <summary>The caller's text, where it lies.</summary>
+    /// <summary>Checks the caller's text, and returns it without a copy.</summary>
     public static ReadOnlySpan<byte> Text(byte* json, long bytes, string name)
     {
         Guard.Given(json, name);
@@ -23,7 +23,7 @@ internal static unsafe class Requests
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
     public static CompiledScene Scene(ReadOnlySpan<byte> json) => Read(json, hasBodies: false, (scene, settings, _) =>
     {
-        // A scene of any number of balls and threads: nothing in it may be moved by one of them.
+        // Balls and threads share a scene, so none of them may move an object in it.
         for (int i = 0; i < scene.Obstacles.Count; i++)
         {
             if (double.IsFinite(scene.Obstacles[i].Mass))
@@ -50,7 +50,7 @@ internal static unsafe class Requests
         return new Match(recording.Replay(group), recording);
     }
 
-    /// <summary>Reads a request, and finds the kick.</summary>
+    /// <summary>Reads a request, and finds a kick.</summary>
     /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
     public static AimResult Aim(CompiledScene scene, ReadOnlySpan<byte> json)
     {
@@ -63,7 +63,7 @@ internal static unsafe class Requests
         return found;
     }
 
-    /// <summary>Reads a shot, and finds its chance to score.</summary>
+    /// <summary>Reads a shot, and computes its probability to score.</summary>
     /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
     /// <exception cref="OperationCanceledException">The search was cancelled.</exception>
     public static GoalChanceResult GoalChance(CompiledScene scene, ReadOnlySpan<byte> json, IProgress<double>? progress, CancellationToken cancellation)
@@ -85,7 +85,7 @@ internal static unsafe class Requests
     /// <exception cref="RefusedException">A member is unknown or of the wrong type.</exception>
     public static MatchFitRequest MatchFit(ReadOnlySpan<byte> json) => Checked(json, FitInput.Match);
 
-    /// <summary>The parameter with a name of <see cref="MatchFitResult.Names"/>.</summary>
+    /// <summary>Returns the parameter with a name of <see cref="MatchFitResult.Names"/>.</summary>
     public static NativeFitParameter Parameter(string name) => Enum.Parse<NativeFitParameter>(name.Replace(".", ""), ignoreCase: true);
 
     private static T Checked<T>(ReadOnlySpan<byte> json, Func<InputObject, T> read)

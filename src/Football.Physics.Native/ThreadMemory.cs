@@ -8,7 +8,7 @@ namespace FootballPhysics.Native;
 /// <summary>The data of each calling thread: the log of its steps, created by its first call, and its last error.</summary>
 internal sealed unsafe class ThreadMemory
 {
-    /// <summary>Bytes that a sentence may have; a longer one is cut.</summary>
+    /// <summary>The maximum length of a message in bytes; a longer message is truncated.</summary>
     private const int LongestError = 2048;
 
     [ThreadStatic]
@@ -23,10 +23,10 @@ internal sealed unsafe class ThreadMemory
 
     ~ThreadMemory() => NativeMemory.Free(_error);
 
-    /// <summary>That of this thread.</summary>
+    /// <summary>The data of the calling thread.</summary>
     public static ThreadMemory Mine { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => t_mine ?? Make(); }
 
-    /// <summary>A log without events, for the next step. Its counters are not reset, because nothing reads them.</summary>
+    /// <summary>Returns a log without events, for the next step. Its counters are not reset, because nothing reads them.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public StepLog ClearLog()
     {
@@ -38,7 +38,7 @@ internal sealed unsafe class ThreadMemory
         return _log;
     }
 
-    /// <summary>The sentence of the last call that failed, UTF-8 with a zero at its end; null before.</summary>
+    /// <summary>The message of the last call that failed, in UTF-8 with a terminating zero; null if no call has failed.</summary>
     public byte* Error => _error;
 
     /// <summary>Stores a message. A pointer that was returned before stays valid and shows the new message.</summary>
@@ -52,7 +52,7 @@ internal sealed unsafe class ThreadMemory
         Copy(sentence, _error, LongestError);
     }
 
-    /// <summary>Writes a text as UTF-8 with a zero at its end, cut between two characters where there is no room.</summary>
+    /// <summary>Writes a text as UTF-8 with a terminating zero. If it does not fit, truncates it between two characters.</summary>
     /// <returns>False if the message was truncated.</returns>
     public static bool Copy(string text, byte* into, int capacity)
     {

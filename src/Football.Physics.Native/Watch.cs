@@ -1,6 +1,6 @@
 namespace FootballPhysics.Native;
 
-/// <summary>Passes the progress of a long call on to C, and a cancellation from there, in the calling thread.</summary>
+/// <summary>Writes the progress of a long call for C, and checks whether C cancelled the call, in the calling thread.</summary>
 internal sealed unsafe class Watch : IProgress<double>, IDisposable
 {
     private readonly NativeWatch* _watch;
@@ -8,9 +8,9 @@ internal sealed unsafe class Watch : IProgress<double>, IDisposable
 
     private Watch(NativeWatch* watch) => _watch = watch;
 
-    /// <summary>The watch of a call; null if the caller passes none.</summary>
-    /// <exception cref="ArgumentException">It is one of another version.</exception>
-    /// <exception cref="OperationCanceledException">It is cancelled already.</exception>
+    /// <summary>Returns the watch of a call; null if the caller passes none.</summary>
+    /// <exception cref="ArgumentException">The watch has the size of another version.</exception>
+    /// <exception cref="OperationCanceledException">The watch is cancelled already.</exception>
     public static Watch? Of(NativeWatch* watch)
     {
         if (watch is null)
@@ -25,7 +25,7 @@ internal sealed unsafe class Watch : IProgress<double>, IDisposable
         return made;
     }
 
-    /// <summary>The cancellation of the call.</summary>
+    /// <summary>The token that cancels the call.</summary>
     public CancellationToken Token => _cancellation.Token;
 
     /// <inheritdoc/>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds the C library and lays it out as it is installed: lib, include, and what CMake's find_package reads.
-#   src/Football.Physics.Native/build.sh DIR [RID]       RID: that of this machine, or linux-x64, linux-arm64, win-x64, osx-arm64
-# NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links.
+# Builds the C library and writes the installed layout: lib, include, and the files for CMake's find_package.
+#   src/Football.Physics.Native/build.sh DIR [RID]       RID: default this machine, or linux-x64, linux-arm64, win-x64, osx-arm64
+# NativeAOT links for the system it runs on: build for Windows on Windows, and for macOS on a Mac. On x64, Debian's gcc-aarch64-linux-gnu links for linux-arm64.
 # A library for Linux needs glibc 2.31 or later.
 set -euo pipefail
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
@@ -20,7 +20,7 @@ trap 'rm -rf "$work"' EXIT
 compiler=$(command -v clang || command -v gcc || :)
 options=()
 if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
-  # NativeAOT tells its linker the target as clang wants it; gcc's name says it.
+  # NativeAOT passes clang's option --target. gcc does not accept it; its name already contains the target.
   printf '#!/usr/bin/env bash\nargs=()\nfor arg; do [[ $arg == --target=* ]] || args+=("$arg"); done\nexec aarch64-linux-gnu-gcc "${args[@]}"\n' > "$work/gcc"
   chmod +x "$work/gcc"
   compiler=aarch64-linux-gnu-gcc

@@ -1,4 +1,4 @@
-# The shared library and its header, beside each other: PREFIX/lib (bin on Windows), PREFIX/include, and this file in PREFIX/lib/cmake/football_physics.
+# Finds the shared library and its header under one prefix: PREFIX/lib (bin on Windows), PREFIX/include, and this file in PREFIX/lib/cmake/football_physics.
 get_filename_component(_football_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
 if(NOT TARGET football_physics::football_physics)

@@ -20,21 +20,21 @@ extern "C" {
 
 /* The outcome of a call. */
 typedef enum {
-    /* Done. */
+    /* The call succeeded. */
     FP_OK = 0,
-    /* An argument is null or out of range, or a state is none that the library made; nothing has changed. */
+    /* An argument is null or out of range, or a state was not created by the library; nothing has changed. */
     FP_ARGUMENT = 1,
-    /* The text of a scene or of a request is refused: no JSON, an unknown member, a number out of range. */
+    /* The text of a scene or of a request is rejected: invalid JSON, an unknown member, or a number out of range. */
     FP_SCENE = 2,
-    /* The caller's buffer is too short: it holds as much as it has room for, and the call says how much there is. */
+    /* The caller's buffer is too short. It contains the items that fit, and the call returns the total number. */
     FP_BUFFER = 3,
-    /* The handle is none of a scene: it is null, was freed, or never was one. */
+    /* The handle is not valid: it is null, was freed, or was never a handle of this kind. */
     FP_HANDLE = 4,
-    /* Header and library do not belong together. */
+    /* The header does not match the library. */
     FP_ABI = 5,
-    /* A fault of the library, or no memory left; what the call was to write is not to be used. */
+    /* The library has a bug, or memory is exhausted; do not use the results of the call. */
     FP_INTERNAL = 6,
-    /* The caller cancelled the call by its watch; nothing was written. */
+    /* The caller cancelled the call through its watch; nothing was written. */
     FP_CANCELLED = 7
 } fp_status;
 
@@ -169,19 +169,19 @@ typedef enum {
     FP_PARAMETER_ROLLING_FRICTION_BY_SPEED = 11
 } fp_fit_parameter;
 
-/* A scene, checked and compiled; nothing changes it, and any number of threads may use it at once, also while one of them frees it. The
+/* A checked and compiled scene. It is immutable. Any number of threads may use it concurrently, even while one of them frees it. The
    pointer is a handle, not an address. */
 typedef struct fp_scene fp_scene;
 
-/* A match: a scene with bodies that move and obstacles that have a mass, and balls that are stepped together. Calls of several threads wait
-   for each other. The pointer is a handle, not an address. */
+/* A match: a scene with bodies that move and obstacles that have a mass, and balls that are stepped together. Concurrent calls wait for
+   each other. The pointer is a handle, not an address. */
 typedef struct fp_match fp_match;
 
-/* The whole state of a ball, plain: copy it to save, to restore and to roll back; balls in the same state have the same bytes. fp_launch
-   makes one; all zero bytes are none. */
+/* The complete state of a ball, as plain bytes. Copy it to save, restore or roll back. Balls in the same state have the same bytes.
+   fp_launch creates a state; all zero bytes are not a valid one. */
 typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;
 
-/* What there is to see of a ball. Right-handed, y up, SI. */
+/* The visible state of a ball. Right-handed, y up, SI units. */
 typedef struct {
     /* Position of the centre, m. */
     double position[3];
@@ -199,15 +199,16 @@ typedef struct {
     int32_t reserved;
 } fp_ball;
 
-/* Something that happened inside a step, at its exact time and place. */
+/* An event inside a step, at its exact time and position. */
 typedef struct {
     /* The kind, one of fp_event_kind. */
     int32_t kind;
-    /* What was hit, met or passed, or carries the ball: its index among the things of the scene, whose name fp_name tells; -1 for none. */
+    /* The index in the scene of the object that the ball hits, touches or passes, or that supports it; -1 if there is none. fp_name writes
+       its name. */
     int32_t thing;
-    /* When, s since the launch. */
+    /* The time, s since the launch. */
     double time;
-    /* Where the centre was, m. */
+    /* The position of the ball's centre, m. */
     double position[3];
     /* Velocity just before, m/s. */
     double velocity_before[3];
@@ -217,23 +218,24 @@ typedef struct {
     double spin_before[3];
     /* Spin just after, rad/s. */
     double spin[3];
-    /* Normal of the contact, from the thing to the ball, of length 1; zero where there is none. */
+    /* The unit normal of the contact, from the object to the ball; zero without a contact. */
     double normal[3];
 } fp_event;
 
-/* How the end of a run changes with its launch. Matrices by rows: the row is the component of the place, the column that of the launch. */
+/* The derivatives of the end of a run with respect to its launch. Matrices by rows: a row is a component at the end, a column one of the
+   launch. */
 typedef struct {
-    /* The place at the end by the velocity of the launch, s; at an event the place is that at the event, whose time moves too. */
+    /* The final position by the velocity of the launch, s. At an event, it is the position at the event, whose time changes too. */
     double position_by_velocity[9];
-    /* The place at the end by the spin of the launch, m s/rad. */
+    /* The final position by the spin of the launch, m s/rad. */
     double position_by_spin[9];
-    /* The velocity at the end, before the event there, by the velocity of the launch. */
+    /* The final velocity, before the event, by the velocity of the launch. */
     double velocity_by_velocity[9];
-    /* The velocity at the end, before the event there, by the spin of the launch, m/rad. */
+    /* The final velocity, before the event, by the spin of the launch, m/rad. */
     double velocity_by_spin[9];
-    /* The time of the end by the velocity of the launch, s^2/m; zero where its time ended the run. */
+    /* The final time by the velocity of the launch, s^2/m; zero if the time ended the run. */
     double time_by_velocity[3];
-    /* The time of the end by the spin of the launch, s^2/rad; zero where its time ended the run. */
+    /* The final time by the spin of the launch, s^2/rad; zero if the time ended the run. */
     double time_by_spin[3];
 } fp_derivatives;
 
@@ -259,7 +261,7 @@ typedef struct {
 
 /* An event of one of the balls of a match. */
 typedef struct {
-    /* The event. fp_match_name returns the name of its thing. */
+    /* The event. fp_match_name writes the name of its object. */
     fp_event event;
     /* The index of the ball. */
     int32_t ball;
@@ -269,7 +271,7 @@ typedef struct {
     int32_t body;
     /* 0. */
     int32_t reserved;
-    /* The impulse on the ball in an impact, N s; zero for other events. The thing received the opposite impulse. */
+    /* The impulse on the ball in an impact, N s; zero for other events. The other object received the opposite impulse. */
     double impulse[3];
     /* The energy that a bumper added to the ball, J; otherwise 0. */
     double added_energy;
@@ -435,9 +437,9 @@ typedef struct {
     int32_t reserved;
 } fp_piece;
 
-/* What all pieces of a match track have in common. */
+/* The parameters that all pieces of a match track share. */
 typedef struct {
-    /* The parameters, in the order of fp_fit_parameter; one that was not estimated has its value in the scene, and a factor is then 1. */
+    /* The parameters, in the order of fp_fit_parameter. A parameter that was not estimated has its value in the scene; a factor is then 1. */
     double values[12];
     /* The standard errors of the parameters; 0 if a parameter was not estimated. */
     double deviations[12];
@@ -463,16 +465,16 @@ typedef struct {
 
 /* Watches a long call: shows its progress, and cancels it. Set bytes to sizeof(fp_watch) and the other members to 0 before the call. */
 typedef struct {
-    /* sizeof(fp_watch); the call compares it with its own. */
+    /* sizeof(fp_watch). The call compares it with the size in the library. */
     int32_t bytes;
-    /* 0. Another thread or a signal handler sets it to 1 to cancel the call, which then returns FP_CANCELLED soon. A call with 1 returns at
-       once. */
+    /* 0. Another thread or a signal handler sets it to 1 to cancel the call, which then returns FP_CANCELLED soon. If it is 1 before, the
+       call returns at once. */
     int32_t cancel;
-    /* The progress, 0 ... 1, which the call writes and another thread may read meanwhile. */
+    /* The progress, 0 ... 1. The call writes it; another thread may read it during the call. */
     double progress;
 } fp_watch;
 
-/* Checks that header and library belong together. Call it once, as FP_CHECK_ABI().
+/* Checks that the header matches the library. Call it once, as FP_CHECK_ABI().
    version: FP_ABI_VERSION.
    state_bytes: sizeof(fp_state).
    ball_bytes: sizeof(fp_ball).
@@ -493,44 +495,45 @@ FP_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_t ball
    Returns FP_OK, or FP_ABI. */
 FP_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes);
 
-/* The version of the library, like "0.1.0".
-   Returns a text in UTF-8, for as long as the library is loaded. */
+/* Returns the version of the library, for example "0.1.0".
+   Returns a text in UTF-8, valid while the library is loaded. */
 FP_API const char* fp_version(void);
 
-/* The sentence of the last call of this thread that failed: field, value and range. No call that succeeds changes it.
-   Returns a text in UTF-8, until the thread's next call that fails; "" where none has. */
+/* Returns the message of the last call of this thread that failed: field, value and range. A call that succeeds does not change it.
+   Returns a text in UTF-8, valid until the thread's next call that fails; "" if no call has failed. */
 FP_API const char* fp_last_error(void);
 
 /* Reads, checks and compiles a scene.
    json: An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, zones, dials,
-     solver; {} is the default scene.
-   json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
-   scene: Where the handle goes; null there where the call fails.
-   Returns FP_OK, FP_SCENE where the text is refused, or FP_ARGUMENT. */
+     solver; {} for the default scene.
+   json_bytes: Its length in bytes, without a terminating zero; at most 1 048 576.
+   scene: Receives the handle; null if the call fails.
+   Returns FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT. */
 FP_API fp_status fp_scene_create(const char* json, int64_t json_bytes, fp_scene** scene);
 
-/* Frees a scene. A call of another thread that uses it goes on to its end.
-   scene: The scene; a handle that is freed twice is refused, and so is null.
+/* Frees a scene. A running call of another thread finishes normally.
+   scene: The scene; null or a freed handle is rejected.
    Returns FP_OK, or FP_HANDLE. */
 FP_API fp_status fp_scene_free(fp_scene* scene);
 
-/* The name of what an event tells of: "ground", "left post", an obstacle's.
+/* Writes the name of the object of an event: "ground", "left post", or the name of an obstacle.
    scene: The scene.
-   thing: The event's thing; -1 has the name "".
-   name: Where it goes, UTF-8 with a zero at its end.
-   capacity: Bytes there, at least 1; where they are too few, the name is cut, and the call returns FP_BUFFER.
+   thing: The member thing of the event; the name of -1 is "".
+   name: Receives the name in UTF-8, with a terminating zero.
+   capacity: The number of bytes at name, at least 1. If the name is longer, it is truncated, and the call returns FP_BUFFER.
    Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_name(const fp_scene* scene, int32_t thing, char* name, int32_t capacity);
 
-/* The energy that an impact with a bumper added to the ball: an obstacle whose restitution is above 1, or that has a least exit speed.
+/* Computes the energy that an impact with a bumper added to the ball. A bumper is an obstacle with a restitution above 1 or a minimum exit
+   speed.
    scene: The scene.
    event: An event of a step in that scene.
-   Returns the energy, J; 0 for any other event, and where a pointer is refused. */
+   Returns the energy, J; 0 for any other event, or if a pointer is rejected. */
 FP_API double fp_added_energy(const fp_scene* scene, const fp_event* event);
 
-/* A hash of a state, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
+/* Returns a 64-bit hash of a state. It equals Snapshot.Hash in C#, and is the same on every machine.
    state: The state.
-   Returns the hash; 0 where the state is null. */
+   Returns the hash; 0 if the state is null. */
 FP_API uint64_t fp_hash(const fp_state* state);
 
 /* Estimates the launch of a ball, and on request factors of the scene, from its tracked positions.
@@ -560,7 +563,7 @@ FP_API fp_status fp_fit(const fp_scene* scene, const double* times, const double
 FP_API fp_status fp_fit_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_fit_result* out, fp_watch* watch);
 
 /* Divides the track of a match into flights, impacts, touches and ground contact, and estimates the wind, the ball and the surface.
-   scene: The scene, as known before.
+   scene: The scene, with the values known before the fit.
    times: n times, s, in order.
    positions: n rows x, y, z of the ball's centre, m; y is up.
    noise: n minimum standard deviations of the coordinates, m; null for 0.02 m.
@@ -570,15 +573,15 @@ FP_API fp_status fp_fit_watched(const fp_scene* scene, const double* times, cons
    bytes: Its length in bytes; at most 1 048 576.
    pieces: Receives the pieces, in order of time; null if capacity is 0.
    capacity: The number of pieces that fit, 0 or more.
-   count: Receives the number of pieces, including those that do not fit; null if it is not wanted.
-   out: Receives the parameters; null if they are not wanted.
-   fitted: Receives the handle of a new scene with the parameters, to be freed with fp_scene_free; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if there are more pieces than capacity, and all else is there; FP_SCENE if the text is rejected, FP_ARGUMENT or
-   FP_HANDLE. */
+   count: Receives the number of pieces, including those that do not fit; null to skip it.
+   out: Receives the parameters; null to skip them.
+   fitted: Receives the handle of a new scene with the parameters. Free it with fp_scene_free. Null to skip it.
+   Returns FP_OK; FP_BUFFER if there are more pieces than capacity (all other results are written); FP_SCENE if the text is rejected,
+   FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_fit_match(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted);
 
 /* The same as fp_fit_match, with progress and cancellation.
-   scene: The scene, as known before.
+   scene: The scene, with the values known before the fit.
    times: As for fp_fit_match, like all parameters up to fitted.
    positions: n rows x, y, z, m.
    noise: n minimum standard deviations, m; null for 0.02 m.
@@ -587,9 +590,9 @@ FP_API fp_status fp_fit_match(const fp_scene* scene, const double* times, const 
    bytes: Its length in bytes.
    pieces: Receives the pieces; null if capacity is 0.
    capacity: The number of pieces that fit.
-   count: Receives the number of pieces; null if it is not wanted.
-   out: Receives the parameters; null if they are not wanted.
-   fitted: Receives the handle of a new scene; null if it is not wanted.
+   count: Receives the number of pieces; null to skip it.
+   out: Receives the parameters; null to skip them.
+   fitted: Receives the handle of a new scene; null to skip it.
    watch: Shows the progress, and cancels the call; null for neither.
    Returns As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null. */
 FP_API fp_status fp_fit_match_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted, fp_watch* watch);
@@ -599,11 +602,11 @@ FP_API fp_status fp_fit_match_watched(const fp_scene* scene, const double* times
    Returns FP_OK or FP_ARGUMENT. */
 FP_API fp_status fp_player_default(fp_player* player);
 
-/* Finds the player who reaches the ball first. If two arrive within a nanosecond, it is the one with the lower index.
+/* Finds the player who reaches the ball first. If two players arrive within a nanosecond, returns the lower index.
    scene: The scene.
-   state: The ball; unchanged. Its path is predicted until it rests, and it then stays there.
-   seconds: How far to look, s; above 0, at most 3600.
-   players: The players now.
+   state: The ball; unchanged. Its path is predicted until it rests; it then stays at rest.
+   seconds: The length of the prediction, s; above 0, at most 3600.
+   players: The players at the current time.
    n: The number of players; 0 ... 10 000.
    out: Receives the first player.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
@@ -612,13 +615,13 @@ FP_API fp_status fp_intercept(const fp_scene* scene, const fp_state* state, doub
 /* Finds all time intervals in which each player can reach the ball.
    scene: The scene.
    state: The ball, as for fp_intercept.
-   seconds: How far to look, s; above 0, at most 3600.
-   players: The players now.
+   seconds: The length of the prediction, s; above 0, at most 3600.
+   players: The players at the current time.
    n: The number of players; 0 ... 10 000.
    windows: Receives the intervals, sorted by player, then by time; null if capacity is 0.
    capacity: The number of intervals that fit, 0 or more.
-   count: Receives the number of intervals, including those that do not fit; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if there are more intervals than capacity, and the first ones are there; FP_ARGUMENT or FP_HANDLE. */
+   count: Receives the number of intervals, including those that do not fit; null to skip it.
+   Returns FP_OK; FP_BUFFER if there are more intervals than capacity (the first ones are written); FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_intercept_windows(const fp_scene* scene, const fp_state* state, double seconds, const fp_player* players, int32_t n, fp_window* windows, int32_t capacity, int32_t* count);
 
 /* Computes the probability that a player's kick scores: by derivatives if they are accurate, otherwise by simulating random kicks.
@@ -643,27 +646,28 @@ FP_API fp_status fp_goal_chance_watched(const fp_scene* scene, const char* reque
 /* Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.
    json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass. balls,
      a list of objects with a ball each, gives each ball its own size, mass and drag; ballContact is the material of their contacts.
-   json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
-   balls: The number of balls; 1 ... 10 000. If the JSON has balls, it must be their number.
+   json_bytes: Its length in bytes, without a terminating zero; at most 1 048 576.
+   balls: The number of balls; 1 ... 10 000. If the JSON has a list balls, the number must equal its length.
    dt: The length of a step, s; above 0, at most 1e12.
    match: Receives the handle; null if the call fails.
    Returns FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT. */
 FP_API fp_status fp_match_create(const char* json, int64_t json_bytes, int32_t balls, double dt, fp_match** match);
 
-/* Frees a match. A call of another thread that uses it continues to its end.
-   match: The match; null, or a handle that was freed before, is rejected.
+/* Frees a match. A running call of another thread finishes normally.
+   match: The match; null or a freed handle is rejected.
    Returns FP_OK, or FP_HANDLE. */
 FP_API fp_status fp_match_free(fp_match* match);
 
-/* Returns the name of the thing in an event of a match: "ground", "left post", that of a body or an obstacle.
+/* Writes the name of the object of an event in a match: "ground", "left post", or the name of a body or an obstacle.
    match: The match.
-   thing: The event's thing; -1 has the name "".
-   name: Receives the name, UTF-8 with a zero at its end.
-   capacity: The number of bytes at name, at least 1. If the name is longer, it is cut, and the call returns FP_BUFFER.
+   thing: The member thing of the event; the name of -1 is "".
+   name: Receives the name in UTF-8, with a terminating zero.
+   capacity: The number of bytes at name, at least 1. If the name is longer, it is truncated, and the call returns FP_BUFFER.
    Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_name(const fp_match* match, int32_t thing, char* name, int32_t capacity);
 
-/* Moves a ball to a position, without velocity and spin, and discards its kick for the next step. The clock of the balls continues.
+/* Moves a ball to a position, sets its velocity and spin to zero, and discards its kick for the next step. The clock of the balls
+   continues.
    match: The match.
    ball: The index of the ball, from 0.
    position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
@@ -684,23 +688,23 @@ FP_API fp_status fp_match_kick(fp_match* match, int32_t ball, const double veloc
    first: The index of the first body, from 0, in the order of the JSON.
    n: The number of bodies, 0 or more.
    bodies: The n bodies.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no body has moved. */
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with no body moved. */
 FP_API fp_status fp_match_move_bodies(fp_match* match, int32_t first, int32_t n, const fp_body* bodies);
 
 /* Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.
    match: The match.
-   events: Receives the events of all balls, ordered by time, then by ball; null if they are not wanted.
+   events: Receives the events of all balls, ordered by time, then by ball; null to skip them.
    capacity: The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.
-   count: Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken,
-   and the first events are there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and nothing has changed. */
+   count: Receives the number of events, including those that do not fit or are not stored; null to skip it.
+   Returns FP_OK; FP_BUFFER if events or count is given, and there are more events than capacity or than a step stores. The step is then
+   complete, and the first events are written, at most capacity or 1 024. FP_ARGUMENT or FP_HANDLE, with nothing changed. */
 FP_API fp_status fp_match_step(fp_match* match, fp_match_event* events, int32_t capacity, int32_t* count);
 
 /* Reads balls.
    match: The match.
    first: The index of the first ball, from 0.
    n: The number of balls, 0 or more.
-   balls: Receives the n balls; their time is the time since the match began.
+   balls: Receives the n balls. Their time counts from the start of the match.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_read_balls(const fp_match* match, int32_t first, int32_t n, fp_ball* balls);
 
@@ -708,11 +712,12 @@ FP_API fp_status fp_match_read_balls(const fp_match* match, int32_t first, int32
    match: The match.
    first: The index of the first body, from 0, in the order of the JSON.
    n: The number of bodies, 0 or more.
-   bodies: Receives the n bodies. A body is where it was at its time, and has moved on since with its velocity and spin.
+   bodies: Receives the n bodies. Position and orientation apply at the body's time; since then it has moved with its velocity and spin.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_read_bodies(const fp_match* match, int32_t first, int32_t n, fp_body* bodies);
 
-/* Copies a ball into a scene, for fp_look_ahead, fp_intercept and fp_aim: same place and motion. The scene decides on what it lies there.
+/* Copies a ball into a scene, with the same position and motion, for fp_look_ahead, fp_intercept and fp_aim. The scene determines what the
+   ball touches.
    match: The match; unchanged.
    ball: The index of the ball, from 0.
    scene: The scene, for example that of the match without its bodies.
@@ -720,26 +725,26 @@ FP_API fp_status fp_match_read_bodies(const fp_match* match, int32_t first, int3
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_state(const fp_match* match, int32_t ball, const fp_scene* scene, fp_state* out);
 
-/* A hash of all balls, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
+/* Returns a 64-bit hash of all balls. It equals Snapshot.Hash in C#, and is the same on every machine.
    match: The match.
    Returns the hash; 0 if the handle is invalid. */
 FP_API uint64_t fp_match_hash(const fp_match* match);
 
-/* The number of steps since the match began.
+/* Returns the number of steps since the start of the match.
    match: The match.
    Returns the number; -1 if the handle is invalid. */
 FP_API int64_t fp_match_tick(const fp_match* match);
 
-/* A ball at the start of its way. In the ground it is raised straight up out of it; where it lies on the ground without speed, it stays.
+/* Launches a ball. If it overlaps the ground, it is raised vertically onto the surface. A ball on the ground without speed stays at rest.
    scene: The scene.
    position: Position of the centre, m; components within +-1e6.
    velocity: Velocity, m/s; speed at most 1000.
    spin: Spin, rad/s, world frame; at most 10 000.
-   out: Where the state goes.
+   out: Receives the state.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_launch(const fp_scene* scene, const double position[3], const double velocity[3], const double spin[3], fp_state* out);
 
-/* Kicks a ball where it is: new velocity and spin, same place, time and orientation.
+/* Kicks a ball: sets its velocity and spin, and keeps its position, time and orientation.
    scene: The scene.
    state: The ball.
    velocity: Velocity, m/s; speed at most 1000.
@@ -747,145 +752,146 @@ FP_API fp_status fp_launch(const fp_scene* scene, const double position[3], cons
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_kick(const fp_scene* scene, fp_state* state, const double velocity[3], const double spin[3]);
 
-/* Advances a ball, and returns the events on the way. Allocates nothing.
+/* Advances a ball by a time, and returns the events in between. Allocates nothing.
    scene: The scene.
    state: The ball.
-   dt: Time to advance by, s; 0 ... 1e12. All of it is one step of the integrator, split only at events.
-   events: Receives the events, in order of time; null if they are not wanted.
+   dt: Time to advance by, s; 0 ... 1e12. It is one step of the integrator, which splits it only at events.
+   events: Receives the events, in order of time; null to skip them.
    capacity: The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.
-   count: Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken,
-   and the first events are there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
+   count: Receives the number of events, including those that do not fit or are not stored; null to skip it.
+   Returns FP_OK; FP_BUFFER if events or count is given, and there are more events than capacity or than a step stores. The step is then
+   complete, and the first events are written, at most capacity or 1 024. FP_ARGUMENT or FP_HANDLE, with the ball unchanged. */
 FP_API fp_status fp_step(const fp_scene* scene, fp_state* state, double dt, fp_event* events, int32_t capacity, int32_t* count);
 
-/* What there is to see of a ball.
+/* Reads position, velocity, spin, orientation, time and motion of a ball.
    scene: The scene.
    state: The ball.
-   out: Where it goes.
+   out: Receives them.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_read(const fp_scene* scene, const fp_state* state, fp_ball* out);
 
-/* Advances many balls, each by the same steps; events are not told. To use several threads, give each a part of the balls. Allocates
-   nothing.
+/* Advances many balls by the same number of steps, without reporting events. To use several threads, pass each thread a part of the balls.
+   Allocates nothing.
    scene: The scene.
    states: The balls.
-   n: How many, 0 or more.
+   n: The number of balls, 0 or more.
    dt: Length of a step, s; 0 ... 1e12.
-   steps: How many steps, 0 or more.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were. */
+   steps: The number of steps, 0 or more.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with the balls unchanged. */
 FP_API fp_status fp_step_many(const fp_scene* scene, fp_state* states, int64_t n, double dt, int32_t steps);
 
-/* Many balls at the start of their ways, as fp_launch.
+/* Launches many balls, as fp_launch does.
    scene: The scene.
-   states: Where the states go.
-   n: How many, 0 or more.
-   mask: n bytes: 0 leaves a ball as it is, or unmade; null launches all.
+   states: Receives the states.
+   n: The number of balls, 0 or more.
+   mask: n bytes: 0 skips a ball and leaves its state unchanged, even if uninitialised; null launches all.
    position: n rows x, y, z, m.
    velocity: n rows x, y, z, m/s.
    spin: n rows x, y, z, rad/s.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no state has been written. */
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with no state written. */
 FP_API fp_status fp_launch_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* position, const double* velocity, const double* spin);
 
-/* Kicks many balls where they are, as fp_kick.
+/* Kicks many balls, as fp_kick does.
    scene: The scene.
    states: The balls.
-   n: How many, 0 or more.
-   mask: n bytes: 0 leaves a ball as it is; null kicks all.
+   n: The number of balls, 0 or more.
+   mask: n bytes: 0 leaves a ball unchanged; null kicks all.
    velocity: n rows x, y, z, m/s.
    spin: n rows x, y, z, rad/s.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no ball has been kicked. */
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with no ball kicked. */
 FP_API fp_status fp_kick_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* velocity, const double* spin);
 
-/* Where many balls are, row by row.
+/* Reads position, velocity, spin and motion of many balls, one row per ball.
    scene: The scene.
    states: The balls.
-   n: How many, 0 or more.
-   position: n rows x, y, z, m; null where they are not wanted.
-   velocity: n rows x, y, z, m/s; null where they are not wanted.
-   spin: n rows x, y, z, rad/s; null where they are not wanted.
-   motion: n of fp_motion; null where they are not wanted.
+   n: The number of balls, 0 or more.
+   position: Receives n rows x, y, z, m; null to skip them.
+   velocity: Receives n rows x, y, z, m/s; null to skip them.
+   spin: Receives n rows x, y, z, rad/s; null to skip them.
+   motion: Receives n values of fp_motion; null to skip them.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_read_many(const fp_scene* scene, const fp_state* states, int64_t n, double* position, double* velocity, double* spin, int32_t* motion);
 
-/* The clocks of many balls.
+/* Reads the clocks of many balls.
    scene: The scene.
    states: The balls.
-   n: How many, 0 or more.
-   time: n times since the launch, s.
+   n: The number of balls, 0 or more.
+   time: Receives n times since the launch, s.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_time_many(const fp_scene* scene, const fp_state* states, int64_t n, double* time);
 
-/* Advances many balls in equal steps until an event or a time, each for itself: until they land, or until they rest.
+/* Advances many balls in equal steps, each until its own event (such as landing or rest) or until a time.
    scene: The scene.
-   states: The balls; one that its event ended is as it was just after it.
-   n: How many, 0 or more.
-   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.
-   seconds: How long to go on at most, s; above 0, at most 1e12.
+   states: The balls. A ball whose run ends with its event has the state just after that event.
+   n: The number of balls, 0 or more.
+   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last step is shortened.
+   seconds: The maximum duration, s; above 0, at most 1e12.
    stop_at: The event that ends a run, one of fp_stop.
-   ended: n numbers: 1 where the event ended the run, 0 where its time did; null where they are not wanted.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were. */
+   ended: Receives n numbers: 1 if the event ended the run, 0 if the time did; null to skip them.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with the balls unchanged. */
 FP_API fp_status fp_run_many(const fp_scene* scene, fp_state* states, int64_t n, double dt, double seconds, int32_t stop_at, int32_t* ended);
 
-/* Writes a state as bytes to send or to keep: little-endian on every machine, with a checksum; what Snapshot.Write writes in C#.
+/* Writes a state as bytes to send or store, little-endian on every machine, with a checksum. Snapshot.Write in C# writes the same bytes.
    state: The ball.
-   bytes: Where they go.
+   bytes: Receives the bytes.
    Returns FP_OK or FP_ARGUMENT. */
 FP_API fp_status fp_snapshot_write(const fp_state* state, unsigned char bytes[FP_SNAPSHOT_BYTES]);
 
-/* Reads what fp_snapshot_write, or Snapshot.Write in C#, wrote.
+/* Reads the bytes that fp_snapshot_write, or Snapshot.Write in C#, wrote.
    bytes: The bytes.
-   out: Where the state goes.
-   Returns FP_OK, or FP_ARGUMENT where the bytes are no state of a ball, or were changed on their way. */
+   out: Receives the state.
+   Returns FP_OK, or FP_ARGUMENT if the bytes are not the state of a ball, or are corrupt. */
 FP_API fp_status fp_snapshot_read(const unsigned char bytes[FP_SNAPSHOT_BYTES], fp_state* out);
 
-/* Where a ball will be: the simulation itself on a copy. Allocates nothing.
+/* Predicts the path of a ball: runs the simulation on a copy. Allocates nothing.
    scene: The scene.
    state: The ball; unchanged.
-   seconds: How far to look, s; 0 ... 3600.
-   every: Time between rows, s; 1e-6 ... 3600. It is the step too, or a whole part of it, at most 0.08 s: at the game's own step the rows
-     are the future to the bit.
-   path: Rows t, x, y, z, s since the launch and m: now, and every so often until seconds are over; a ball that rests has rows too.
-   rows: How many rows there is room for, 0 or more.
-   written: Where the number of rows goes that were written; null where it is not wanted.
-   Returns FP_OK, FP_BUFFER where there are more rows, FP_ARGUMENT or FP_HANDLE. */
+   seconds: The length of the prediction, s; 0 ... 3600.
+   every: Time between rows, s; 1e-6 ... 3600. The step is every, divided by the smallest integer that makes it at most 0.08 s. If every
+     is your game's step, the rows are bit-identical to its later steps.
+   path: Receives rows t, x, y, z, in s since the launch and m: the first now, the others every so many seconds. A ball at rest has rows
+     too.
+   rows: The number of rows that fit, 0 or more.
+   written: Receives the number of rows written; null to skip it.
+   Returns FP_OK, FP_BUFFER if there are more rows, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_look_ahead(const fp_scene* scene, const fp_state* state, double seconds, double every, double* path, int64_t rows, int64_t* written);
 
-/* Finds a kick.
+/* Finds a kick that reaches a target.
    scene: The scene.
-   request_json: An object in UTF-8 with the members of a scenario's aim: from, target, speed, and those that may be left out.
+   request_json: An object in UTF-8 with the members of a scenario's aim: from, target, speed, and the optional ones.
    bytes: Its length in bytes; at most 1 048 576.
-   velocity: Where the velocity of the kick goes, m/s: whatever the verdict, the best one found.
-   spin: Where its spin goes, rad/s, world frame.
-   miss: Where the distance goes by which that kick misses the target, m; null where it is not wanted.
-   aim_status: Where the verdict goes, one of fp_aim_status; null where it is not wanted.
-   Returns FP_OK, whatever the verdict; FP_SCENE where the text is refused, FP_ARGUMENT or FP_HANDLE. */
+   velocity: Receives the velocity of the best kick found, m/s, whatever the verdict.
+   spin: Receives the spin of that kick, rad/s, world frame.
+   miss: Receives the distance by which that kick misses the target, m; null to skip it.
+   aim_status: Receives the verdict, one of fp_aim_status; null to skip it.
+   Returns FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t bytes, double velocity[3], double spin[3], double* miss, int32_t* aim_status);
 
-/* Runs a ball to an event or a time, and finds how its place there changes with the launch: derivatives, by one run.
+/* Runs a ball to an event or a time, and computes the derivatives of its final position with respect to the launch, in one run.
    scene: The scene.
-   state: The ball; its motion now is the launch. It is then as after fp_run_many.
-   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.
-   seconds: How long to go on at most, s; above 0, at most 1e12.
+   state: The ball. Its current motion is the launch. Receives the state at the end, as in fp_run_many.
+   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last step is shortened.
+   seconds: The maximum duration, s; above 0, at most 1e12.
    stop_at: The event that ends the run, one of fp_stop.
-   out: Where the derivatives go.
-   ended: 1 where the event ended the run, 0 where its time did; null where it is not wanted.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
+   out: Receives the derivatives.
+   ended: Receives 1 if the event ended the run, 0 if the time did; null to skip it.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with the ball unchanged. */
 FP_API fp_status fp_derivatives_run(const fp_scene* scene, fp_state* state, double dt, double seconds, int32_t stop_at, fp_derivatives* out, int32_t* ended);
 
-/* Saves a match between two steps: balls, kicks, bodies and movable obstacles. The same bits follow after fp_match_restore. Allocates
-   nothing.
+/* Saves a match between two steps: balls, kicks, bodies and movable obstacles. After fp_match_restore, the steps are bit-identical.
+   Allocates nothing.
    match: The match.
    bytes: Receives the bytes, which are the same on every machine; null if capacity is 0.
    capacity: The number of bytes that fit, 0 or more.
-   written: Receives the number of bytes of the whole, which is fixed for a match; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT or FP_HANDLE. */
+   written: Receives the total number of bytes, which is fixed for a match; null to skip it.
+   Returns FP_OK; FP_BUFFER if capacity is too small, with nothing written at bytes; FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_save(const fp_match* match, unsigned char* bytes, int64_t capacity, int64_t* written);
 
-/* Restores what fp_match_save saved, also in another process or on another machine. Allocates nothing.
-   match: The match that was saved, or one that was created with the same arguments by the same version of the library.
+/* Restores a match from the bytes of fp_match_save, also in another process or on another machine. Allocates nothing.
+   match: The saved match, or one that was created with the same arguments by the same version of the library.
    bytes: The bytes.
    n: The number of bytes.
-   Returns FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE: nothing has changed. */
+   Returns FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE, with nothing changed. */
 FP_API fp_status fp_match_restore(fp_match* match, const unsigned char* bytes, int64_t n);
 
 /* Starts a recording at this tick. It ends when you place a ball, or restore a state that it does not contain.
@@ -897,9 +903,8 @@ FP_API fp_status fp_match_record(fp_match* match);
    match: The match.
    bytes: Receives the bytes; null if capacity is 0.
    capacity: The number of bytes that fit, 0 or more.
-   written: Receives the number of bytes of the whole; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT if nothing is recorded, or
-   FP_HANDLE. */
+   written: Receives the total number of bytes; null to skip it.
+   Returns FP_OK; FP_BUFFER if capacity is too small, with nothing written at bytes; FP_ARGUMENT if no recording was started, or FP_HANDLE. */
 FP_API fp_status fp_match_recording(const fp_match* match, unsigned char* bytes, int64_t capacity, int64_t* written);
 
 /* Creates a match at the start of a recording. Its steps repeat the recorded kicks and the motions of the bodies; you can only step, seek
@@ -925,18 +930,18 @@ FP_API fp_status fp_match_seek(fp_match* match, int64_t tick);
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_verify(fp_match* match, int64_t* tick);
 
-/* Computes the air's force and torque on many bodies that something else moves: drag, Magnus force, spin decay and wind, as in a flight of
-   the library. Gravity and buoyancy are not included. Ground and obstacles are ignored. Allocates nothing.
+/* Computes the force and torque of the air on many bodies that another engine moves: drag, Magnus force, spin decay and wind, as in a
+   flight of the library. Gravity and buoyancy are not included. Ground and obstacles are ignored. Allocates nothing.
    scene: The scene; its ball gives mass, radius and moment of inertia.
    n: The number of bodies, 0 or more.
-   position: n rows x, y, z, m; components within +-1e6. Only a wind that varies by place depends on it.
+   position: n rows x, y, z, m; components within +-1e6. Only a wind that varies by position depends on it.
    velocity: n rows x, y, z, m/s; speed at most 1000.
    spin: n rows x, y, z, rad/s; at most 10 000.
    time: Time, s; 0 ... 1e12. Only a wind that varies in time depends on it.
    air_distance: n distances flown through the air since the kick, m, for the knuckle force; null for 0.
    force: Receives n rows x, y, z, N.
-   torque: Receives n rows x, y, z, N m; null if it is not wanted.
-   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and nothing has been written. */
+   torque: Receives n rows x, y, z, N m; null to skip them.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with nothing written. */
 FP_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, double* force, double* torque);
 
 #define FP_CHECK_ABI() (fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result)))
