@@ -142,6 +142,20 @@ public sealed class InterceptWindowTests
         Assert.Contains("runner.reaction", refusal.Message, StringComparison.Ordinal);
     }
 
+    /// <summary>He runs beside the ball, a nanometre too far away, until he reacts.</summary>
+    [Fact]
+    public void A_search_along_the_rim_of_his_reach_ends_with_a_reaction_that_succeeds()
+    {
+        var velocity = new Vector3d(0, 0, -5);
+        var keeper = new Player { Velocity = velocity, Reach = 1, Reaction = 0.2 };
+        Trajectory path = Path(Straight(0, 9.9, new Vector3d(1 + 1e-9, 1, 0), velocity));
+        var query = new FootballPhysics.Prediction.Interception();
+        KeeperResult result = query.FindSave(path, in keeper, s_goal with { Center = new Vector3d(0, 0, -60) });
+        Assert.True(result.Saves);
+        Assert.InRange(result.LatestReaction, 0.2, 9.9);
+        Assert.Equal(0, query.FindFirst(path, [keeper with { Reaction = result.LatestReaction }], out _));
+    }
+
     private static PathSegment Straight(double time, double length, Vector3d from, Vector3d velocity) => new(
         time, length, in from, in velocity, default, from + (length * velocity), in velocity, default, MotionState.Airborne, 5);
 

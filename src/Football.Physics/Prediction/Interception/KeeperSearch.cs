@@ -15,6 +15,9 @@ internal readonly struct KeeperSearch
     /// <summary>The maximum number of reactions tried; a path that stays within nanometres of his reach would need unlimited tries.</summary>
     private const int MostTries = 4096;
 
+    /// <summary>The maximum number of intervals of all tries: on such a path, each try takes many.</summary>
+    private const long MostIntervals = 1 << 22;
+
     private readonly PathSpans _spans;
     private readonly WindowList _found;
 
@@ -81,6 +84,7 @@ internal readonly struct KeeperSearch
     {
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
+        _found.Intervals = 0;
 
         // Even the latest possible reaction succeeds: he reaches the ball without reacting at all.
         if (Meets(keeper.Reacting(high), now, begin, end))
@@ -100,7 +104,7 @@ internal readonly struct KeeperSearch
     {
         // Test the middle with extra reach for half of the interval: if this test fails, every reaction in the interval fails.
         double half = 0.5 * (high - low);
-        if (++tries > MostTries || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
+        if (++tries > MostTries || _found.Intervals > MostIntervals || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
         {
             return double.NaN;
         }

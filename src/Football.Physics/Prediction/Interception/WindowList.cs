@@ -9,6 +9,9 @@ internal sealed class WindowList
     /// <summary>The number of windows.</summary>
     public int Count { get; set; }
 
+    /// <summary>The number of intervals that the searches have halved or decided.</summary>
+    public long Intervals { get; set; }
+
     /// <summary>True if a time directly follows the player's last window.</summary>
     public bool Continues(int runner, double time, double closeness) =>
         Count > 0 && Items[Count - 1].Player == runner && time - Items[Count - 1].To <= closeness;

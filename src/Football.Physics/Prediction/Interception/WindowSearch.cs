@@ -132,6 +132,7 @@ internal struct WindowSearch
             double a = start + (number * h);
             double b = number + 1 == 1L << level ? end : start + ((number + 1) * h);
             MeetingPoint.At(in span, in _runner, b, reacts, out MeetingPoint high);
+            _found.Intervals++;
             if (!Decide(in span, a, b, reacts, in low, in high))
             {
                 level++;
