@@ -103,7 +103,8 @@ internal struct SurfaceSystem : IMotionSystem
             return Rolling(time, in at, in on);
         }
 
-        _ending = on.Braking > Turning(in on) && !Around.Air.Varies ? on.Braking : 0;
+        // A spin whose square underflows has no direction in which it could end.
+        _ending = on.Braking > Turning(in on) && !Around.Air.Varies && StartSpin.LengthSquared > 0 ? on.Braking : 0;
         return Sliding(time, in at, in on);
     }
 
