@@ -17,12 +17,26 @@ internal sealed record Mutant(string Path, SyntaxNode Node, Func<SyntaxNode, Syn
         get
         {
             LinePosition start = Node.GetLocation().GetLineSpan().StartLinePosition;
-            return $"{System.IO.Path.GetRelativePath(LibrarySources.Folder, Path)}:{start.Line + 1}:{start.Character + 1}";
+            return $"{File}:{start.Line + 1}:{start.Character + 1}";
         }
     }
 
+    /// <summary>The file in the library.</summary>
+    public string File => System.IO.Path.GetRelativePath(LibrarySources.Folder, Path);
+
     /// <summary>The original text and the mutated text, each in one line.</summary>
     public string What => $"{OneLine(Node)}  →  {(Node is StatementSyntax ? "(removed)" : OneLine(Change(Node.WithoutTrivia()).NormalizeWhitespace()))}";
+
+    /// <summary>The member that contains the node, such as <c>IsHeavier</c>.</summary>
+    public string Member => Node.Ancestors().OfType<MemberDeclarationSyntax>().First() switch
+    {
+        MethodDeclarationSyntax method => method.Identifier.Text,
+        PropertyDeclarationSyntax property => property.Identifier.Text,
+        BaseFieldDeclarationSyntax field => field.Declaration.Variables[0].Identifier.Text,
+        BaseTypeDeclarationSyntax type => type.Identifier.Text,
+        ConstructorDeclarationSyntax constructor => constructor.Identifier.Text,
+        _ => "this",
+    };
 
     private static string OneLine(SyntaxNode node) => string.Join(' ', node.ToString().Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
 }

@@ -30,7 +30,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
         """;
 
     /// <summary>Draws the mutants of each room with each seed. No mutant is drawn twice, and each compiles.</summary>
-    public static Sample Draw(string[] rooms, int count, int[] seeds)
+    public static Sample Draw(string[] rooms, int count, int[] seeds, Equivalents equivalents)
     {
         SyntaxTree[] trees = [.. LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(File.ReadAllText(path), LibrarySources.Parsing, path))];
         CSharpCompilation compilation = LibrarySources.Compilation(trees);
@@ -41,6 +41,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
             Mutant[] all = [.. trees.Where(tree => tree.FilePath == path || tree.FilePath.StartsWith(path + "/", StringComparison.Ordinal))
                 .SelectMany(tree => Mutator.Of(tree.FilePath, tree.GetRoot(), compilation.GetSemanticModel(tree)))];
             Console.WriteLine($"{room}: {all.Length} mutants");
+            equivalents.RequireThatAllExist(room, all);
             foreach (int seed in seeds)
             {
                 Mutant[] shuffled = [.. all];

@@ -28,7 +28,7 @@ internal sealed partial class ContactSetParts
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         double part = LengthOfPart(in run, 2.0 * Part);
         bool isFree = false;
-        while (run.Left > 0 && !run.Log.Halted && !run.IsSpent)
+        while (run.TakesParts)
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             run.Parts++;

@@ -167,8 +167,8 @@ internal ref struct StepRun
     /// <summary>Number of events of this step so far, without zone events.</summary>
     private readonly int Reported => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
-    /// <summary>True if the step has used up its evaluations. A piece of several parts then ends, too.</summary>
-    public readonly bool IsSpent => Log.Evaluations > _lastEvaluation;
+    /// <summary>True if a piece takes another part: the step has time and evaluations left, and no event has ended it.</summary>
+    public readonly bool TakesParts => Left > 0 && !Log.Halted && Log.Evaluations <= _lastEvaluation;
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False if the step has used up its pieces or its evaluations.</returns>
@@ -181,7 +181,7 @@ internal ref struct StepRun
             Spirals = false;
         }
 
-        return Pieces <= MostPieces && !IsSpent;
+        return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation;
     }
 
     /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
