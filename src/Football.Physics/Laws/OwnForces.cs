@@ -16,17 +16,6 @@ internal sealed class OwnForces
         _perInertia = 1.0 / scene.Ball.MomentOfInertia;
     }
 
-    /// <summary>Throws if finite custom forces led to a state that is not finite.</summary>
-    /// <exception cref="InvalidOperationException">The state of the ball is not finite.</exception>
-    public static void CheckOutcome(in BallState state)
-    {
-        if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
-        {
-            throw new InvalidOperationException(
-                "forces.customForces made the state of the ball overflow. Use a smaller time step or a weaker force.");
-        }
-    }
-
     /// <summary>Adds the accelerations of the custom forces.</summary>
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
     public void AddTo(in ForceContext ball, ref AirFactors factors)

@@ -111,6 +111,17 @@ internal struct SceneAir : IFlightAir
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
 
+    /// <summary>Throws if custom forces or a wind field led to a state that is not finite.</summary>
+    /// <exception cref="InvalidOperationException">The state of the ball is not finite.</exception>
+    public readonly void CheckOutcome(in BallState state)
+    {
+        if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
+        {
+            string cause = !HasOwnForces ? "air.windField" : _wind is null ? "forces.customForces" : "air.windField or forces.customForces";
+            throw new InvalidOperationException($"{cause} made the state of the ball overflow. Use a smaller time step, a slower wind or a weaker force.");
+        }
+    }
+
     /// <summary>Computes the effect of the air and of custom forces at one instant, for any motion.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>

@@ -226,7 +226,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>Steps a ball in air that varies. If a custom force throws or gives a result out of range, the state and the log are restored.</summary>
+    /// <summary>Steps a ball in air that varies. If a custom force or a wind throws or gives a result out of range, the state and the log are restored.</summary>
     private void TakeOrRestore(ref BallState s, double dt, StepLog log)
     {
         BallState before = s;
@@ -234,7 +234,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         try
         {
             TakeAll(ref s, dt, log, WholeStep.NotTaken, default);
-            OwnForces.CheckOutcome(in s);
+            _air.CheckOutcome(in s);
         }
         catch
         {

@@ -172,12 +172,12 @@ public sealed class CustomForceTests
         Assert.Equal(MotionState.Rolling, state.Motion);
     }
 
-    /// <summary>Finite forces may still add up to a state that is not finite, in any of its parts.</summary>
+    /// <summary>Finite forces and winds may still lead to a state that is not finite, in any of its parts.</summary>
     [Fact]
     public void A_state_that_is_not_finite_is_refused()
     {
         BallState fine = new Simulator().Launch(s_high, new Vector3d(1, 2, 3), new Vector3d(4, 5, 6));
-        OwnForces.CheckOutcome(in fine);
+        SceneAir.Of(Scene.Default).CheckOutcome(in fine);
         Refused(fine, (ref BallState s) => s.Position = new Vector3d(0, double.PositiveInfinity, 0));
         Refused(fine, (ref BallState s) => s.Velocity = new Vector3d(double.NaN, 0, 0));
         Refused(fine, (ref BallState s) => s.SpinRate = double.PositiveInfinity);
@@ -189,7 +189,14 @@ public sealed class CustomForceTests
     private static void Refused(BallState state, Change change)
     {
         change(ref state);
-        Assert.Contains("overflow", Assert.Throws<InvalidOperationException>(() => OwnForces.CheckOutcome(in state)).Message, StringComparison.Ordinal);
+        Scene windy = Scene.Default with { Air = new Air { WindField = new WindByHeight(8, 1, 2) } };
+        ForceSet pushed = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] };
+        Names("air.windField made", windy);
+        Names("forces.customForces made", Scene.Default with { Forces = pushed });
+        Names("air.windField or forces.customForces made", windy with { Forces = pushed });
+
+        void Names(string cause, Scene scene) =>
+            Assert.StartsWith(cause, Assert.Throws<InvalidOperationException>(() => SceneAir.Of(scene).CheckOutcome(in state)).Message, StringComparison.Ordinal);
     }
 
     private sealed class Torque : IForce
