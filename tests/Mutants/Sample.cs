@@ -1,4 +1,6 @@
 using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
@@ -30,6 +32,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
         """;
 
     /// <summary>Draws the mutants of each room with each seed. No mutant is drawn twice, and each compiles.</summary>
+    /// <remarks>A mutant is drawn by its text and not by its position, so a change of the sources keeps the rest of the sample.</remarks>
     public static Sample Draw(string[] rooms, int count, int[] seeds, Equivalents equivalents)
     {
         SyntaxTree[] trees = [.. LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(File.ReadAllText(path), LibrarySources.Parsing, path))];
@@ -42,12 +45,8 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
                 .SelectMany(tree => Mutator.Of(tree.FilePath, tree.GetRoot(), compilation.GetSemanticModel(tree)))];
             Console.WriteLine($"{room}: {all.Length} mutants");
             equivalents.RequireThatAllExist(room, all);
-            foreach (int seed in seeds)
-            {
-                Mutant[] shuffled = [.. all];
-                new Random(seed).Shuffle(shuffled);
-                draws.Add((room, new Queue<Mutant>(shuffled)));
-            }
+            string[] names = Names(all);
+            draws.AddRange(seeds.Select(seed => (room, new Queue<Mutant>(all.Zip(names).OrderBy(at => Rank(seed, at.Second)).Select(at => at.First)))));
         }
 
         var drawn = new HashSet<Mutant>(ReferenceEqualityComparer.Instance);
@@ -76,6 +75,19 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
             chosen = [.. chosen.Where((_, number) => !wrong.Contains(number))];
         }
     }
+
+    // File, member and text, and a number if a member contains the same text several times.
+    private static string[] Names(Mutant[] all)
+    {
+        var count = new Dictionary<string, int>();
+        return [.. all.Select(mutant =>
+        {
+            string name = $"{mutant.File}\t{mutant.Member}\t{mutant.What}";
+            return $"{name}\t{count[name] = count.GetValueOrDefault(name) + 1}";
+        })];
+    }
+
+    private static ulong Rank(int seed, string name) => BitConverter.ToUInt64(SHA256.HashData(Encoding.UTF8.GetBytes($"{seed}\t{name}")));
 
     /// <summary>Compiles the library with the mutants, or returns the numbers of those in lines with errors.</summary>
     private static (byte[]? Library, HashSet<int> Wrong) Compile(SyntaxTree[] trees, Mutant[] mutants)

@@ -61,13 +61,12 @@ internal sealed class SlideStep<TAir>
             final.Speed = from.Speed + ClassicalRungeKutta.Sum(dt, first.Along, ofSecond.Along, ofThird.Along, rates.Along);
             final.Spin = from.Spin + ClassicalRungeKutta.Sum(dt, in first.Spin, in ofSecond.Spin, in ofThird.Spin, in rates.Spin);
             middle.Spin = 0.5 * (second.Spin + third.Spin);
-            fastest = Math.Max(Math.Max(fastest, Math.Abs(third.Speed)), Math.Max(Math.Abs(last.Speed), Math.Abs(final.Speed)));
+            fastest = Math.Max(fastest, Math.Max(Math.Abs(third.Speed), Math.Abs(last.Speed)));
         }
         else
         {
             way = dt * second.Speed;
             final = from.After(dt, in rates);
-            fastest = Math.Max(fastest, Math.Abs(final.Speed));
         }
 
         // The same conservative checks as for a line. The last stage is at the end (RK4) or in the middle (RK2) of the step.

@@ -216,9 +216,6 @@ internal readonly struct StabilityLimit
 /// </remarks>
 internal static class TurnLimit
 {
-    /// <summary>Maximum turn θ, rad.</summary>
-    private const double LargestTurn = 0.125;
-
     /// <summary>Maximum of θ x⁴. The reference cases of slides with sidespin and rolls in wind pass with it (WholeRun) and fail at a
     /// hundred times it.</summary>
     private const double LargestError = 1e-5;
@@ -279,8 +276,8 @@ internal static class TurnLimit
         double leftSquared = left * left;
         double changed = (along * along) + (across * across);
 
-        // With θ = across/left and x² = changed/left², test θ x⁴ ≤ E without a division.
-        return left > 0 && across <= LargestTurn * left && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
+        // With θ = across/left and x² = changed/left², test θ x⁴ ≤ E without a division. As x ≥ θ, θ is at most the fifth root of E.
+        return left > 0 && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
     }
 
     /// <summary>Shortens a piece in which the direction of a slip or a roll would turn too fast for the integrator.</summary>

@@ -27,6 +27,29 @@ public sealed class SceneHashTests
         Assert.InRange(Changed().Count(), 45, 200);
     }
 
+    [Fact]
+    public void Other_settings_are_another_hash()
+    {
+        SolverSettings[] settings =
+        [
+            new(),
+            new() { Integrator = Integrator.Rk2 },
+            new() { CollisionTiming = CollisionTiming.Bisection },
+            new() { CollisionTiming = CollisionTiming.Bisection, CollisionTolerance = 1e-4 },
+            new() { RollingTransition = RollingTransition.Heuristic },
+            new() { LocateJump = false },
+        ];
+        Assert.Equal(settings.Length, settings.Select(one => new Simulator(s_scene, one).SceneHash).Distinct().Count());
+    }
+
+    /// <summary>The shapes have the same bounds, normals and surfaces.</summary>
+    [Fact]
+    public void A_shape_at_another_distance_is_another_hash()
+    {
+        static ulong Hash(double thickness) => new Simulator(new Scene { Obstacles = [new Obstacle { Shape = new Coated(thickness) }] }).SceneHash;
+        Assert.NotEqual(Hash(0), Hash(0.25));
+    }
+
     private static IEnumerable<(string Name, Scene Scene)> Changed() =>
     [
         .. Of(s_scene.Ball).Select(of => ("ball." + of.Name, s_scene with { Ball = of.With })),
@@ -59,6 +82,22 @@ public sealed class SceneHashTests
                 property.SetValue(copy, changed);
                 yield return (property.Name, copy);
             }
+        }
+    }
+
+    /// <summary>A sphere under a coat that its bounds do not show.</summary>
+    private sealed class Coated(double thickness) : IShape
+    {
+        private static readonly SphereShape s_sphere = new(new Vector3d(2, 1, 3), 0.5);
+
+        public double MaximumConcaveCurvature => 0;
+
+        public Bounds3d Bounds => s_sphere.Bounds;
+
+        public ShapePoint At(in Vector3d point)
+        {
+            ShapePoint at = s_sphere.At(in point);
+            return new ShapePoint(at.Distance - thickness, at.Normal, at.Curvature);
         }
     }
 }

@@ -97,6 +97,19 @@ public sealed class WindFieldTests
         }
     }
 
+    /// <summary>A light ball takes on the speed of the air in a fraction of a step, although it starts at rest.</summary>
+    [Theory]
+    [ProfileData]
+    public void A_light_ball_in_a_storm_takes_its_steps_in_parts(Profile profile)
+    {
+        Scene scene = profile.Scene() with { Air = new Air { WindField = new UniformWind(new Vector3d(40, 0, 0)) }, Ball = new BallProperties { Mass = 0.06, Radius = 0.2 } };
+        var start = new Vector3d(0, 20, 0);
+        BallState fine = Flight.Play(scene, Flight.With(Integrator.Rk4), 0.001, 1, StopAt.Time, start, Vector3d.Zero, Vector3d.Zero, out _);
+        BallState coarse = Flight.Play(scene, Flight.With(Integrator.Rk4), 0.25, 1, StopAt.Time, start, Vector3d.Zero, Vector3d.Zero, out StepLog log);
+        Assert.True(log.Steps > 4, $"{log.Steps} steps");
+        Assert.True(Vector3d.Distance(coarse.Position, fine.Position) < 5e-3, $"{coarse.Position} and {fine.Position}");
+    }
+
     [Fact]
     public void A_field_and_a_force_of_the_game_act_together()
     {

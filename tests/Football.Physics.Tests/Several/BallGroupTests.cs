@@ -53,6 +53,40 @@ public sealed class BallGroupTests
         Assert.True((balls[8].Position - balls[9].Position).Length >= 0.22 - 1e-9);
     }
 
+    [Theory]
+    [InlineData(-0.01, 1, "timeStep")]
+    [InlineData(0, 1, "timeStep")]
+    [InlineData(double.NaN, 1, "timeStep")]
+    [InlineData(1e-14, 1, "timeStep")]
+    [InlineData(0.01, -1, "duration")]
+    [InlineData(0.01, double.PositiveInfinity, "duration")]
+    public void A_run_out_of_range_is_refused_by_name_before_anything_moves(double timeStep, double duration, string name)
+    {
+        var simulator = new Simulator();
+        BallState[] balls = [Shot(simulator, 0), Shot(simulator, 1)];
+        BallState[] before = [.. balls];
+        ArgumentOutOfRangeException error = Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 2).Run(balls, timeStep, duration, StopAt.Rest, new StepLog()));
+        Assert.Contains(name, error.Message, StringComparison.Ordinal);
+        Assert.True(Snapshot.Same(in before[0], in balls[0]) && Snapshot.Same(in before[1], in balls[1]));
+    }
+
+    /// <summary>The forces on a ball of a pile are those of the scene, of gravity and of the game.</summary>
+    [Fact]
+    public void The_free_rates_of_a_ball_in_a_pile_are_those_of_its_scene()
+    {
+        var torque = new Vector3d(1e-3, -2e-3, 3e-3);
+        var force = new Vector3d(0.2, 0.1, -0.3);
+        var scene = new Scene { Forces = ForceSet.Measured with { CustomForces = [new Steady(force, torque)] } };
+        Scene bare = scene with { Forces = ForceSet.Measured };
+        BallState ball = new Simulator(bare).Launch(new Vector3d(0, 3, 0), new Vector3d(3, 1, 2), new Vector3d(9, -4, 6));
+        MotionRates with = new Simulator(scene).Pile.Free(in ball, 1e-3, false);
+        MotionRates without = new Simulator(bare).Pile.Free(in ball, 1e-3, false);
+        Assert.InRange((with.Acceleration - without.Acceleration - (force / scene.Ball.Mass)).Length, 0, 1e-12);
+        Assert.InRange((with.SpinAcceleration - without.SpinAcceleration - (torque / scene.Ball.MomentOfInertia)).Length, 0, 1e-10);
+        Assert.True(Vector3d.Dot(without.SpinAcceleration, ball.Spin) < 0);
+        Assert.Equal(-9.81, new Simulator(bare).Pile.Free(in ball, 1e-3, true).Acceleration.Y, 0.2);
+    }
+
     [Fact]
     public void A_ball_that_hits_a_resting_one_gives_it_its_motion_and_no_energy_comes_from_it()
     {
@@ -384,4 +418,13 @@ public sealed class BallGroupTests
 
     private static double Energy(BallState[] balls) => balls.Sum(ball =>
         (0.5 * 0.43 * ball.Velocity.LengthSquared) + (0.5 * BallProperties.Tunnel.MomentOfInertia * ball.Spin.LengthSquared) + (0.43 * 9.81 * ball.Position.Y));
+
+    private sealed class Steady(Vector3d force, Vector3d torque) : IForce
+    {
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
+        {
+            sum.AddForce(in force);
+            sum.AddTorque(in torque);
+        }
+    }
 }

@@ -132,6 +132,46 @@ public sealed class PileSolverTests
         Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Members[0].W.Y, 1e-9);
     }
 
+    /// <summary>On a surface that moves, friction, rolling resistance and the load depend on the velocity relative to it.</summary>
+    [Theory]
+    [InlineData(2.0, 0.0)]
+    [InlineData(0.0, 0.0)]
+    [InlineData(0.0, 0.3)]
+    public void A_surface_that_moves_carries_a_ball_as_one_that_stands(double slip, double lift)
+    {
+        const double Pull = 0.01;
+        var motion = new Vector3d(3, lift, -1);
+        PileSolver[] solvers = [Of(1), Of(1)];
+        foreach (PileSolver solver in solvers)
+        {
+            bool moves = solver == solvers[1];
+            solver.Members[0].V = new Vector3d(1, -Pull, 0) + (moves ? motion : Vector3d.Zero);
+            solver.Members[0].W = new Vector3d(0, 0, -(1 - slip) / Radius);
+            solver.Members[0].OwnContacts = 1;
+            solver.Add(Ground(0) with { Velocity = moves ? motion : Vector3d.Zero });
+            solver.Solve(1e-3, 400, 1e-15);
+        }
+
+        Assert.InRange((solvers[1].Members[0].V - motion - solvers[0].Members[0].V).Length, 0, 1e-9);
+        Assert.InRange((solvers[1].Members[0].W - solvers[0].Members[0].W).Length, 0, 1e-8);
+        Assert.Equal(Mass * Pull, solvers[1].Contacts[0].Load, 1e-12);
+    }
+
+    /// <summary>Damping slows a spin about the normal to ω/(1 + c_ω h/I).</summary>
+    [Fact]
+    public void Damping_slows_a_spin_by_its_share()
+    {
+        const double H = 0.01;
+        const double Damping = 2e-3;
+        PileSolver solver = Of(1);
+        solver.Members[0].V = new Vector3d(0, -0.01, 0);
+        solver.Members[0].W = new Vector3d(0, 30, 0);
+        solver.Members[0].OwnContacts = 1;
+        solver.Add(Ground(0) with { DrillingLength = 0, SpinDamping = Damping });
+        solver.Solve(H, 400, 1e-15);
+        Assert.Equal(30 / (1 + (Damping * H / Inertia)), solver.Members[0].W.Y, 1e-9);
+    }
+
     /// <summary>Of several surfaces the one with the greatest load resists a roll, in any order of the contacts.</summary>
     [Theory]
     [InlineData(false)]

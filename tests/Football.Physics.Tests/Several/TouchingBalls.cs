@@ -273,7 +273,9 @@ internal sealed partial class TouchingBalls
         Vector3d rate = (SlipOf(k, Moment) - SlipOf(k, -Moment)) / (2 * Moment);
         rate -= Vector3d.Dot(rate, n) * n;
         double close = Close * (1 + (0.01 * rate.Length) + (0.01 * on.Load));
+        Vector3d computed = ClusterModes.SlipRate(_system, in _system.Contacts[k]);
         Assert.True(Math.Abs(gap - on.Opening) <= close, $"{when}, opens at {gap}, not {on.Opening}");
+        Assert.True((computed - rate).Length <= close, $"{when}, slip changes at {rate}, not {computed}");
         if (!on.Bears)
         {
             Assert.True(on.Load == 0 && gap >= -close, $"{when}, closes at {gap}");

@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Reflection;
+using FootballPhysics.Simulation;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Stability;
@@ -12,6 +15,25 @@ public sealed class StepBudgetTests
 
     /// <summary>Evaluations of a step with a few events.</summary>
     private const long Few = 1500;
+
+    [Fact]
+    public void A_step_that_continues_has_all_counters_of_its_earlier_calls()
+    {
+        FieldInfo[] counters = typeof(StepBudget).GetFields(BindingFlags.Public | BindingFlags.Instance);
+        Assert.InRange(counters.Length, 10, 30);
+        object spent = StepBudget.New;
+        for (int i = 0; i < counters.Length; i++)
+        {
+            counters[i].SetValue(spent, Convert.ChangeType(1 + (i % 7) + (7 * (i % 2)), counters[i].FieldType, CultureInfo.InvariantCulture));
+        }
+
+        var log = new StepLog { Continues = true, Spent = (StepBudget)spent };
+        var run = new StepRun(0.01, 0, log);
+        log.Spent = StepBudget.New;
+        run.Close();
+        object after = log.Spent;
+        Assert.All(counters, counter => Assert.Equal(counter.GetValue(spent), counter.GetValue(after)));
+    }
 
     [Theory]
     [InlineData(0.9, 0)]

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Whole steps of a ball between stationary surfaces, against the general law: a force of the game's own, which does nothing, leaves a scene to that.</summary>
@@ -85,6 +87,60 @@ public sealed class LineStepTests
         }
 
         Assert.InRange(whole, 600, int.MaxValue);
+    }
+
+    /// <summary>The path that an observer gets of a whole step passes through the middle of the step.</summary>
+    [Fact]
+    public void The_path_of_a_step_is_where_half_a_step_leads()
+    {
+        var random = new Random(31);
+        int[] whole = new int[Kinds];
+        for (int draw = 0; draw < 60 * Kinds; draw++)
+        {
+            int kind = draw % Kinds;
+            (Scene scene, Vector3d position, Vector3d velocity, Vector3d spin) = Draw(random, Of.Obstacles, kind);
+            var simulator = new Simulator(scene);
+            BallState half = simulator.Launch(position, velocity, spin);
+            simulator.Step(ref half, 0.01, new StepLog());
+            BallState end = half;
+            var seen = new Pieces();
+            simulator.Step(ref end, 0.02, new StepLog { Observer = seen });
+            simulator.Step(ref half, 0.01, new StepLog());
+            if (seen.All.Count == 1 && end.Motion == half.Motion)
+            {
+                whole[kind]++;
+                Assert.InRange((seen.All[0].PositionAt(half.Time) - half.Position).Length, 0, 2e-8);
+                Assert.InRange((seen.All[0].VelocityAt(half.Time) - half.Velocity).Length, 0, 2e-5);
+            }
+        }
+
+        Assert.InRange(whole[0] + whole[1], 40, 120);
+        Assert.InRange(whole[4], 20, 60);
+    }
+
+    /// <summary>Slips, rolls and loads that end within long steps end where short steps lead.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(4)]
+    public void Long_steps_end_where_short_ones_lead(int kind)
+    {
+        var random = new Random(90 + kind);
+        for (int draw = 0; draw < 60; draw++)
+        {
+            (Scene scene, Vector3d position, Vector3d velocity, Vector3d spin) = Draw(random, Of.Obstacles, kind);
+            foreach (Scene one in new[] { scene, Generally(scene) })
+            {
+                var simulator = new Simulator(one);
+                BallState coarse = simulator.Launch(position, velocity, spin);
+                BallState fine = coarse;
+                simulator.Run(ref coarse, 0.1, 1.2, StopAt.Time, new StepLog());
+                simulator.Run(ref fine, 0.002, 1.2, StopAt.Time, new StepLog());
+                string at = FormattableString.Invariant($"draw {draw}: {coarse:R} for {fine:R}");
+                Assert.True((coarse.Position - fine.Position).Length <= 3e-5, at);
+                Assert.True((coarse.Velocity - fine.Velocity).Length <= 1e-4, at);
+            }
+        }
     }
 
     /// <summary>The same scene with a force that does nothing.</summary>
@@ -181,6 +237,19 @@ public sealed class LineStepTests
                 }
 
                 return (scene with { EngineColliders = engine }, position, speed * along, spin);
+        }
+    }
+
+    private sealed class Pieces : PieceObserver
+    {
+        public List<PathSegment> All { get; } = [];
+
+        public override bool WantsEndAcceleration => true;
+
+        public override bool Add(in PathSegment piece)
+        {
+            All.Add(piece);
+            return false;
         }
     }
 }

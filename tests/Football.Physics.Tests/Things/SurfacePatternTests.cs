@@ -52,6 +52,28 @@ public sealed class SurfacePatternTests
         }
     }
 
+    /// <summary>A step that could cross a whole stripe is taken in pieces, and one that cannot is taken at once.</summary>
+    [Theory]
+    [ProfileData]
+    public void No_step_rolls_over_a_stripe_unnoticed(Profile profile)
+    {
+        var stripes = new SurfaceRectangles([.. Enumerable.Range(0, 40).Select(i => (new Vector3d(-5, 0, -0.3 - (0.6 * i)), new Vector3d(5, 0, -0.6 * i), s_ice))]);
+        Scene scene = profile.Scene() with { Ground = profile.Ground() with { Pattern = stripes } };
+        var simulator = new Simulator(scene, Flight.With(Integrator.Rk4));
+        var log = new StepLog();
+        BallState start = Rolling(simulator);
+        BallState fine = To(simulator, start, 0.002, 1.2);
+        foreach (double step in new[] { 0.02, 0.1, 0.3 })
+        {
+            BallState coarse = To(simulator, start, step, 1.2);
+            Assert.True((coarse.Position - fine.Position).Length < 1e-6, $"{step} s: {coarse.Position}, not {fine.Position}");
+        }
+
+        log.Clear();
+        simulator.Step(ref fine, 0.002, log);
+        Assert.Equal(4, log.Evaluations);
+    }
+
     [Fact]
     public void A_ball_bounces_as_on_the_surface_where_it_lands()
     {
