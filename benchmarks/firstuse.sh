@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures the first use of each feature in a process, in a program of a few lines that uses the package. Prints a table in Markdown.
 #   benchmarks/firstuse.sh
-# Compiled just in time, without a package: dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick --only "first use"
+# The same, and compiled just in time without a package: dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick --only "first use"
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
 table=$PWD/benchmarks/Football.Physics.Benchmarks

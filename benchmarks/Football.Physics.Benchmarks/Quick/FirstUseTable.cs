@@ -19,14 +19,20 @@ internal static class FirstUseTable
         ("first `Find`, ms", null), ("many balls, first call, µs a ball", null), ("many balls, second call, µs a ball", null), ("many balls, sixth call, µs a ball", null),
     ];
 
+    /// <summary>Prints the times without packages, whose code is compiled just in time.</summary>
+    public static void JustInTime(Action<string> print)
+    {
+        print("");
+        print($"## {Name}, compiled just in time");
+        print("");
+        Print(print);
+    }
+
     /// <summary>Measures in other processes.</summary>
     public static void Print(Action<string> print)
     {
         double[][] cold = Runs(warm: false);
         double[][] warm = Runs(warm: true);
-        print("");
-        print($"## {Name}");
-        print("");
         print($"The first call of each in a process, one after the other: the median of {Rounds} processes. Warm: after `Simulator.WarmUp()`, `Aimer.WarmUp()` and `BallBatch.WarmUp()`, called {WarmUps} times with {Loading} ms of other loading after each; the row is the first call. The scene is the default. Slide and roll: the slowest of the first steps into, during and out of that motion. Reach: cold.");
         print("");
         print("| | cold | reach | | warm |");

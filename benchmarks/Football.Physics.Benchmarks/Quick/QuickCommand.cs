@@ -150,7 +150,8 @@ internal static class QuickCommand
 
         if (Wanted(FirstUseTable.Name, only))
         {
-            FirstUseTable.Print(line => Print(text, line));
+            ScriptTable.FirstUse(line => Print(text, line));
+            FirstUseTable.JustInTime(line => Print(text, line));
         }
 
         if (Wanted(ScriptTable.MonoName, only))

@@ -21,6 +21,16 @@ internal static class ScriptTable
         Run(print, "mono.sh", share.ToString(CultureInfo.InvariantCulture));
     }
 
+    /// <summary>Prints the first uses with the packages of a release.</summary>
+    public static void FirstUse(Action<string> print)
+    {
+        print("");
+        print($"## {FirstUseTable.Name}");
+        print("");
+        print("With packages as in a release, which contain code compiled ahead of time for .NET 8 and later on Windows and Linux (x64), measured by `benchmarks/firstuse.sh`.");
+        Run(print, "firstuse.sh");
+    }
+
     /// <summary>Prints the sizes of NativeAOT programs.</summary>
     public static void AheadOfTime(Action<string> print)
     {
