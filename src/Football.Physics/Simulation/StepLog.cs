@@ -199,6 +199,7 @@ public sealed partial class StepLog
         Evaluations += other.Evaluations;
         StalledSteps += other.StalledSteps;
         UnreportedImpacts += other.UnreportedImpacts;
+        LeftOut += other.LeftOut;
         ZoneEvents += other.ZoneEvents;
     }
 

@@ -1,3 +1,5 @@
+using System.Reflection;
+
 namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A buffer of events has a size: beyond it they are counted.</summary>
@@ -143,4 +145,31 @@ public sealed class EventBufferTests
     private static double[] Times(EventBuffer buffer) => [.. buffer.Span.ToArray().Select(item => item.Time)];
 
     private static BallEvent Impact(int time) => new(BallEventKind.Impact, 0, default, time, default, default, default, default, default);
+
+    /// <summary>Every count of a log is added, taken back and cleared; none is lost.</summary>
+    [Fact]
+    public void A_log_adds_takes_back_and_clears_every_count()
+    {
+        PropertyInfo[] counts = [.. typeof(StepLog).GetProperties().Where(count => count.PropertyType == typeof(long))];
+        Assert.InRange(counts.Length, 5, 20);
+        StepLog log = With(7);
+        StepLogMark mark = log.Mark();
+        log.Add(With(20));
+        Assert.All(counts, count => Assert.Equal(27 + (2L * Array.IndexOf(counts, count)), count.GetValue(log)));
+        log.TakeBack(in mark);
+        Assert.All(counts, count => Assert.Equal(7L + Array.IndexOf(counts, count), count.GetValue(log)));
+        log.Clear();
+        Assert.All(counts, count => Assert.Equal(0L, count.GetValue(log)));
+
+        StepLog With(long first)
+        {
+            var one = new StepLog();
+            for (int i = 0; i < counts.Length; i++)
+            {
+                counts[i].SetValue(one, first + i);
+            }
+
+            return one;
+        }
+    }
 }

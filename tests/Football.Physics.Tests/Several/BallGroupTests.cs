@@ -70,6 +70,19 @@ public sealed class BallGroupTests
         Assert.True(Snapshot.Same(in before[0], in balls[0]) && Snapshot.Same(in before[1], in balls[1]));
     }
 
+    [Theory]
+    [InlineData(1e-6, 2e-5)]
+    [InlineData(0.01, 0.2)]
+    public void A_run_takes_every_step_of_its_duration(double timeStep, double duration)
+    {
+        var simulator = new Simulator();
+        BallState[] balls = [Shot(simulator, 0), Shot(simulator, 1)];
+        int steps = 0;
+        Assert.False(new BallGroup(simulator, 2).Run(balls, timeStep, duration, StopAt.Rest, new StepLog(), () => steps++));
+        Assert.Equal(20, steps);
+        Assert.Equal(duration, balls[1].Time, 1e-12);
+    }
+
     /// <summary>The forces on a ball of a pile are those of the scene, of gravity and of the game.</summary>
     [Fact]
     public void The_free_rates_of_a_ball_in_a_pile_are_those_of_its_scene()

@@ -231,6 +231,24 @@ public sealed class PileSolverTests
             (Mass * Vector3d.Dot(ball.V - ball.StartV - (H * ball.Free.Acceleration), ball.V)) + (Inertia * Vector3d.Dot(ball.W - ball.StartW - (H * ball.Free.SpinAcceleration), ball.W)));
     }
 
+    /// <summary>Of several overlaps the deepest counts, and gaps do not.</summary>
+    [Theory]
+    [InlineData(0.001, 0.003)]
+    [InlineData(0.003, 0.001)]
+    [InlineData(0.002, -0.01)]
+    [InlineData(-0.02, -0.01)]
+    public void The_deepest_overlap_of_a_pile(double first, double second)
+    {
+        PileSolver solver = Of(3);
+        solver.Add(Ground(0));
+        solver.Add(Between(0, 1, new Vector3d(0, -1, 0), -first));
+        solver.Add(Between(1, 2, new Vector3d(0, -1, 0), -second));
+        var simulator = new Simulator();
+        double[] heights = [0, (2 * Radius) - first, (4 * Radius) - first - second];
+        BallState[] states = [.. heights.Select(height => simulator.Launch(new Vector3d(0, 3 + height, 0), Vector3d.Zero, Vector3d.Zero))];
+        Assert.Equal(Math.Max(0, Math.Max(first, second)), new PileOverlaps([simulator, simulator, simulator], solver).Deepest(states), 1e-12);
+    }
+
     private static PileSolver Of(int count)
     {
         var solver = new PileSolver { Members = new PileMember[count], Count = count };

@@ -52,6 +52,26 @@ public sealed class EngineColliderTests
         }
     }
 
+    /// <summary>Events beyond the maximum push out older ones. Those that are left still name the colliders.</summary>
+    [Fact]
+    public void A_log_that_is_full_still_names_the_colliders()
+    {
+        var engine = new ShapesAsEngine();
+        engine.Add("left", new PlaneShape(Vector3d.Zero, new Vector3d(1, 0, 0)));
+        engine.Add("right", new PlaneShape(new Vector3d(0.3, 0, 0), new Vector3d(-1, 0, 0)));
+        var simulator = new Simulator(Scene.Vacuum with { EngineColliders = engine, Ground = Ground.None, Gravity = 0 }, s_rk4);
+        BallState state = simulator.Launch(new Vector3d(0.15, 0, 0), new Vector3d(40, 0, 0), Vector3d.Zero);
+        var log = new StepLog(4, 32);
+        while (log.Events.Dropped < 20)
+        {
+            simulator.Step(ref state, 0.01, log);
+            foreach (ref readonly BallEvent impact in log.Events)
+            {
+                Assert.Equal(impact.Normal.X > 0 ? "left" : "right", simulator.NameOf(impact.ColliderIndex));
+            }
+        }
+    }
+
     [Fact]
     public void A_flight_that_bends_meets_what_its_chord_misses()
     {
