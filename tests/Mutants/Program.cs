@@ -39,10 +39,10 @@ Sample sample = Sample.Draw(rooms, count, seeds, equivalents);
 var ends = new string?[sample.Mutants.Count];
 if (File.Exists(log))
 {
-    Dictionary<string, string> last = File.ReadAllLines(log).Distinct().ToDictionary(line => line[12..], line => line[..11].Trim());
+    Dictionary<string, string> last = File.ReadAllLines(log).ToDictionary(line => line[12..], line => line[..11].Trim());
     for (int i = 0; i < ends.Length; i++)
     {
-        ends[i] = last.GetValueOrDefault(Line(i)[12..]) is { Length: > 0 } end ? end : null;
+        ends[i] = last.GetValueOrDefault(sample.Mutants[i].Name) is { Length: > 0 } end ? end : null;
     }
 }
 
@@ -82,7 +82,7 @@ using (var play = new Play(folder, sample))
 void Note(int i, string? end, string? by)
 {
     ends[i] = end;
-    File.WriteAllLines(log, ends.Select((_, at) => Line(at)));
+    File.WriteAllLines(log, ends.Select((known, at) => $"{known,-11} {sample.Mutants[at].Name}"));
     Console.WriteLine(Line(i) + (by is null ? "" : "  by " + by));
 }
 

@@ -7,9 +7,9 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace FootballPhysics.Mutants;
 
 /// <summary>The mutants that the seeds draw, and the library that contains all of them.</summary>
-/// <param name="Mutants">Each mutant with its room. The index is the number of its switch.</param>
+/// <param name="Mutants">Each mutant with its room and its name. The index is the number of its switch.</param>
 /// <param name="Library">The bytes of the library.</param>
-internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutants, byte[] Library)
+internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant, string Name)> Mutants, byte[] Library)
 {
     // The switch reads the environment once, so that compiled code contains no check.
     private const string Switch = """
@@ -37,7 +37,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
     {
         SyntaxTree[] trees = [.. LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(File.ReadAllText(path), LibrarySources.Parsing, path))];
         CSharpCompilation compilation = LibrarySources.Compilation(trees);
-        var draws = new List<(string Room, Queue<Mutant> Waiting)>();
+        var draws = new List<(string Room, Queue<(Mutant Mutant, string Name)> Waiting)>();
         foreach (string room in rooms)
         {
             string path = Path.Combine(LibrarySources.Folder, room);
@@ -46,20 +46,20 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
             Console.WriteLine($"{room}: {all.Length} mutants");
             equivalents.RequireThatAllExist(room, all);
             string[] names = Names(all);
-            draws.AddRange(seeds.Select(seed => (room, new Queue<Mutant>(all.Zip(names).OrderBy(at => Rank(seed, at.Second)).Select(at => at.First)))));
+            draws.AddRange(seeds.Select(seed => (room, new Queue<(Mutant, string)>(all.Zip(names).OrderBy(at => Rank(seed, at.Second))))));
         }
 
         var drawn = new HashSet<Mutant>(ReferenceEqualityComparer.Instance);
-        var chosen = new List<(int Draw, Mutant Mutant)>();
+        var chosen = new List<(int Draw, Mutant Mutant, string Name)>();
         while (true)
         {
             for (int i = 0; i < draws.Count; i++)
             {
-                for (int missing = count - chosen.Count(at => at.Draw == i); missing > 0 && draws[i].Waiting.TryDequeue(out Mutant? next);)
+                for (int missing = count - chosen.Count(at => at.Draw == i); missing > 0 && draws[i].Waiting.TryDequeue(out (Mutant Mutant, string Name) next);)
                 {
-                    if (drawn.Add(next))
+                    if (drawn.Add(next.Mutant))
                     {
-                        chosen.Add((i, next));
+                        chosen.Add((i, next.Mutant, next.Name));
                         missing--;
                     }
                 }
@@ -69,7 +69,7 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant)> Mutant
             (byte[]? library, HashSet<int> wrong) = Compile(trees, [.. chosen.Select(at => at.Mutant)]);
             if (library is not null)
             {
-                return new Sample([.. chosen.Select(at => (draws[at.Draw].Room, at.Mutant))], library);
+                return new Sample([.. chosen.Select(at => (draws[at.Draw].Room, at.Mutant, at.Name))], library);
             }
 
             chosen = [.. chosen.Where((_, number) => !wrong.Contains(number))];
