@@ -31,6 +31,9 @@ internal sealed class FrameProblem
     /// <summary>The last kick.</summary>
     public Kick Kick { get; private set; }
 
+    /// <summary>The velocity of the last kick, in m/s.</summary>
+    public Vector3d Velocity { get; private set; }
+
     /// <summary>The closest point of the last kick, between frames.</summary>
     public Vector3d Closest { get; private set; }
 
@@ -55,6 +58,7 @@ internal sealed class FrameProblem
     {
         Kick = kick;
         kick.Vectors(_speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        Velocity = velocity;
         _frames.Fly(in _frame.From, in velocity, in spin, in _frame.Target);
         Closest = _frames.Target.Closest;
         Miss = Vector3d.Distance(Closest, in _frame.Target);
@@ -119,7 +123,8 @@ internal sealed class FrameProblem
     /// <summary>Returns the best kick so far.</summary>
     public AimSolution Best(int iterations) => Solution(in _best, _bestMiss, iterations);
 
-    private AimSolution Solution(in Kick kick, double miss, int iterations) => new()
+    /// <summary>Returns the solution for a kick and its miss, in m.</summary>
+    public AimSolution Solution(in Kick kick, double miss, int iterations) => new()
     {
         Status = miss <= _tolerance ? AimStatus.Hit : AimStatus.NotConverged,
         Kick = kick,
@@ -133,6 +138,13 @@ internal sealed class FrameProblem
 /// <summary>The thesis' Method A (4.1): simulate, then rotate the velocity by the angle between the ball's path and the target.</summary>
 internal sealed class AngleAim
 {
+    /// <summary>The number of rotations after which one predicts the next: the first is from a far kick, and shrinks the miss more.</summary>
+    private const int LeastRotations = 2;
+
+    /// <summary>The contraction below which it predicts the next, and the share of the tolerance that a predicted miss may use; the rest covers the prediction's error.</summary>
+    private const double Clear = 0.3;
+    private const double Sure = 0.8;
+
     private readonly FrameProblem _problem;
 
     public AngleAim(AimContext context, FrameShooter frames) => _problem = new FrameProblem(context, frames);
@@ -157,6 +169,7 @@ internal sealed class AngleAim
     private AimSolution Iterate(AimRequest request, double margin)
     {
         int iterations = 0;
+        double before = double.PositiveInfinity;
         while (_problem.Miss > margin * request.Tolerance && iterations < request.MaximumIterations)
         {
             iterations++;
@@ -164,6 +177,14 @@ internal sealed class AngleAim
             if (turned.Elevation == _problem.Kick.Elevation && turned.Azimuth == _problem.Kick.Azimuth)
             {
                 break;
+            }
+
+            // A rotation shrinks the miss by about the same factor as the last one: skip a flight that would only confirm a hit.
+            double contraction = _problem.Miss / before;
+            before = _problem.Miss;
+            if (iterations > LeastRotations && contraction < Clear && contraction * before < Sure * margin * request.Tolerance && turned.Elevation > _problem.Bounds.Lowest && turned.Elevation < _problem.Bounds.Highest)
+            {
+                return _problem.Solution(in turned, contraction * before, iterations);
             }
 
             _problem.Fly(in turned);
@@ -175,7 +196,7 @@ internal sealed class AngleAim
     private Kick Turned()
     {
         ref readonly TargetFrame frame = ref _problem.Frame;
-        _problem.Kick.Vectors(1.0, in frame.Forward, out Vector3d direction, out _);
+        Vector3d direction = _problem.Velocity;
         return AngleCorrection.Turn(_problem.Closest - frame.From, frame.Target - frame.From, ref direction)
             ? frame.Turned(_problem.Kick, in direction, _problem.Bounds)
             : _problem.Kick;
@@ -189,19 +210,21 @@ internal static class AngleCorrection
     /// <summary>Rotates a direction about u_guess × u_target by the angle between them.</summary>
     /// <param name="guess">The vector from the ball's start to its closest point.</param>
     /// <param name="target">The vector from the ball's start to the target.</param>
-    /// <param name="direction">The direction of the kick.</param>
+    /// <param name="direction">The direction of the kick, of any length.</param>
     /// <returns>False if the angle is zero, or the axis undefined.</returns>
     public static bool Turn(in Vector3d guess, in Vector3d target, ref Vector3d direction)
     {
+        // Rodrigues' formula. The normal's length is the sine of the angle, and dot its cosine, both times the same product of lengths.
         Vector3d normal = Vector3d.Cross(in guess, in target);
-        double sine = normal.Length;
-        if (!(sine > 0))
+        double dot = Vector3d.Dot(in guess, in target);
+        double lengths = Math.Sqrt(normal.LengthSquared + (dot * dot));
+        if (!(normal.LengthSquared > 0 && lengths + dot > 0))
         {
             return false;
         }
 
-        double angle = Elementary.Atan2(sine, Vector3d.Dot(in guess, in target));
-        direction = Quaterniond.FromAxisAngle(normal / sine, angle).Rotate(in direction);
+        Vector3d turned = (dot * direction) + Vector3d.Cross(in normal, in direction) + (Vector3d.Dot(in normal, in direction) / (lengths + dot) * normal);
+        direction = turned / lengths;
         return true;
     }
 }

@@ -1,13 +1,12 @@
 namespace FootballPhysics.Thesis;
 
 /// <summary>Simulates kicks in the game's own steps, as the thesis does, and checks the path between frames.</summary>
-internal sealed class FrameShooter : KickObserver
+internal sealed class FrameShooter
 {
     private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly double _timeStep;
-    private readonly KickFlight _flight;
-    private FrameApproach? _before;
+    private readonly StepLog _log = new() { IgnoresZones = true };
 
     /// <param name="context">Counts the flights.</param>
     /// <param name="simulator">The scene with the game's own integrator.</param>
@@ -17,7 +16,6 @@ internal sealed class FrameShooter : KickObserver
         _context = context;
         _simulator = simulator;
         _timeStep = timeStep;
-        _flight = new KickFlight(simulator, this);
     }
 
     /// <summary>The closest approach of the last flight to its target.</summary>
@@ -49,26 +47,20 @@ internal sealed class FrameShooter : KickObserver
         Run(in from, in velocity, in spin, Through);
     }
 
-    public override double StepFrom(in BallState state, out bool watches)
-    {
-        watches = false;
-        return _timeStep;
-    }
-
-    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
-    {
-        // Track the waypoint until the ball has passed it. The flight ends on the ground, or past both points.
-        _before = _before is not null && _before.Add(in after) ? null : _before;
-        ended |= Target.Add(in after) && _before is null;
-        return false;
-    }
-
     private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin, FrameApproach? before)
     {
-        BallState state = _simulator.Launch(from, velocity, spin);
-        _before = before;
-        _flight.Fly(ref state, AimContext.LongestFlight);
-        _context.CountSimulation(_flight.Pieces);
+        // Track the waypoint until the ball has passed it. The flight ends on the ground, or past both points.
+        BallState state = _simulator.LaunchAt(in from, in velocity, in spin, 0);
+        _log.Clear();
+        bool isOver = false;
+        while (!isOver && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
+        {
+            bool ended = _simulator.StepToImpact(ref state, _timeStep, _log);
+            before = before is not null && before.Add(in state) ? null : before;
+            isOver = (Target.Add(in state) && before is null) || ended;
+        }
+
+        _context.CountSimulation(_log.Steps);
     }
 }
 
@@ -141,7 +133,8 @@ internal sealed class FrameApproach
     public bool Add(in BallState frame)
     {
         Vector3d p = frame.Position;
-        double squared = (p - _point).LengthSquared;
+        Vector3d gap = p - _point;
+        double squared = gap.LengthSquared;
         bool passed = false;
         if (squared < _best)
         {
@@ -160,13 +153,13 @@ internal sealed class FrameApproach
             }
 
             // The ball has passed the nearest frame, so the result is final.
-            passed = Vector3d.Dot(p - _point, frame.Velocity) > 0;
+            passed = Vector3d.Dot(in gap, frame.Velocity) > 0;
         }
 
         if (_wantsCrossing && !Crossed)
         {
             double before = Vector3d.Dot(_previous - _point, in _normal);
-            double after = Vector3d.Dot(p - _point, in _normal);
+            double after = Vector3d.Dot(in gap, in _normal);
             if (before < 0 && after >= 0)
             {
                 Crossed = true;

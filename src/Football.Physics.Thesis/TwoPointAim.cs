@@ -84,7 +84,7 @@ internal sealed class TwoPointAim
                 break;
             }
 
-            Turn(in through, _frames.Through);
+            Turn(in through, velocity, _frames.Through);
         }
 
         var solution = new AimSolution
@@ -130,13 +130,12 @@ internal sealed class TwoPointAim
     {
         _kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         _frames.Fly(in _frame.From, in velocity, in spin, in through);
-        Turn(in through, _frames.Target);
+        Turn(in through, velocity, _frames.Target);
     }
 
-    /// <summary>Applies the rotation from a flight that tracked the waypoint.</summary>
-    private void Turn(in Vector3d through, FrameApproach approach)
+    /// <summary>Rotates a velocity by the angle from a flight that tracked the waypoint, and sets the angles of the kick to its direction.</summary>
+    private void Turn(in Vector3d through, Vector3d direction, FrameApproach approach)
     {
-        _kick.Vectors(1.0, in _frame.Forward, out Vector3d direction, out _);
         if (approach.Miss > 0.01 * _request.WaypointTolerance
             && AngleCorrection.Turn(approach.Closest - _frame.From, through - _frame.From, ref direction))
         {

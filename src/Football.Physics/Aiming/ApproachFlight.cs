@@ -88,8 +88,7 @@ internal abstract class ApproachFlight : KickObserver
         Rate(in before, before.Velocity) < 0 && Rate(in after, in velocity) > 0;
 
     /// <summary>Updates the closest approach with the state at the end of a step, in m and m/s.</summary>
-    protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
-        Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
+    protected void TakeEnd(in BallState state, in Vector3d gap, in Vector3d velocity) => Take(gap.LengthSquared, state.Time, state.Position, in velocity);
 
     /// <summary>True if a ball on the ground comes no closer, because it is too far below the target, or rolls away in still air.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
@@ -276,9 +275,9 @@ internal sealed class MeasuredFlight : ApproachFlight
         return isAtRest || (_things.Length > 0 && (Leaves(in after) || Creeps(in after)));
     }
 
-    protected override void TakeEnd(in BallState state, in Vector3d velocity)
+    private void TakeEnd(in BallState state, in Vector3d velocity)
     {
-        base.TakeEnd(in state, in velocity);
+        TakeEnd(in state, Gap(state.Position, state.Time), in velocity);
         if (_through is { } point)
         {
             _throughSquared = Math.Min(_throughSquared, (state.Position - point).LengthSquared);

@@ -9,10 +9,12 @@ internal class KickLook : ApproachFlight
     private const double GroundShare = 0.2;
     private const double LongestOnGround = 0.08;
 
-    /// <summary>The difference in height, in m, beyond which a roll on level ground cannot hit the target: it then needs no short steps.</summary>
+    /// <summary>The difference in height, in m, beyond which a ball on level ground cannot hit the target: it then needs no short steps.</summary>
     private const double OutOfReach = 0.05;
 
     private readonly bool _isLevel;
+    private Vector3d _gap;
+    private bool _approaches;
 
     /// <param name="simulator">The scene.</param>
     public KickLook(Simulator simulator)
@@ -31,10 +33,11 @@ internal class KickLook : ApproachFlight
     {
         // Simulate until the ball no longer approaches; the start counts as an approach.
         kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = Simulator.Launch(frame.From, velocity, spin);
+        BallState state = Simulator.LaunchAt(in frame.From, in velocity, in spin, 0);
         Frame = frame;
         Begin(in state, timeStep, AimContext.LongestFlight, in frame.Target, in targetVelocity);
-        TakeEnd(in state, state.Velocity);
+        TakeGap(in state, state.Velocity);
+        TakeEnd(in state, in _gap, state.Velocity);
         Fly(ref state);
         var approach = new Approach { Kick = kick, Miss = Miss, Time = Time, Gap = Gap(Position, Time) };
         approach.Above = IsAbove(approach.Gap, kick.Direction(in frame.Forward));
@@ -44,7 +47,7 @@ internal class KickLook : ApproachFlight
     public override double StepFrom(in BallState state, out bool watches)
     {
         watches = false;
-        bool isOutOfReach = _isLevel && state.Motion == MotionState.Rolling && Math.Abs(state.Position.Y - Target.Y) > OutOfReach;
+        bool isOutOfReach = _isLevel && state.Motion != MotionState.Airborne && Math.Abs(state.Position.Y - Target.Y) > OutOfReach;
         double step = state.Motion == MotionState.Airborne || isOutOfReach ? TimeStep : Math.Min(GroundShare * TimeStep, LongestOnGround);
         return Math.Min(step, Last - state.Time);
     }
@@ -54,9 +57,11 @@ internal class KickLook : ApproachFlight
         // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before the impact.
         Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
         bool stops = after.Motion == MotionState.Rest;
-        if (!stops && !Passes(in before, in after, in velocity))
+        bool approached = _approaches;
+        double rate = TakeGap(in after, in velocity);
+        if (!stops && !(approached && rate > 0))
         {
-            TakeEnd(in after, in velocity);
+            TakeEnd(in after, in _gap, in velocity);
             return false;
         }
 
@@ -77,8 +82,7 @@ internal class KickLook : ApproachFlight
             return true;
         }
 
-        Vector3d gap = Gap(after.Position, after.Time);
-        return after.Motion == MotionState.Airborne ? Leaves(in after, in gap) : IsPast(after.Motion, in gap, after.Velocity, Squared);
+        return after.Motion == MotionState.Airborne ? Leaves(in after, in _gap) : IsPast(after.Motion, in _gap, after.Velocity, Squared);
     }
 
     /// <summary>True if an airborne ball can come no closer; false in wind or for a moving target, because it may still do so.</summary>
@@ -90,6 +94,16 @@ internal class KickLook : ApproachFlight
         // The target's side of the path: the sign of the cross product of velocity and gap.
         Vector3d moving = Velocity - TargetVelocity;
         return (Vector3d.Dot(in moving, in ahead) * gap.Y) - (moving.Y * Vector3d.Dot(in gap, in ahead)) > 0;
+    }
+
+    /// <summary>Stores the gap at the end of a step, and whether it shrinks there.</summary>
+    /// <returns>Half the rate of change of the squared gap, in m²/s.</returns>
+    private double TakeGap(in BallState state, in Vector3d velocity)
+    {
+        _gap = Gap(state.Position, state.Time);
+        double rate = Vector3d.Dot(in _gap, velocity - TargetVelocity);
+        _approaches = rate < 0;
+        return rate;
     }
 
     /// <summary>Returns the velocity with which the ball hit the ground.</summary>

@@ -137,8 +137,22 @@ internal struct SurfaceSystem : IMotionSystem
         Unsafe.SkipInit(out SurfaceForces on);
 
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
-        ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-        Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        if (Carrier.StandingPlane is { } plane && Carrier.Spin == Vector3d.Zero)
+        {
+            Vector3d velocity = at.Velocity - Carrier.Velocity;
+            on.Normal = plane.Normal;
+            on.Velocity = velocity;
+            on.Rolling = velocity;
+            on.Surface = Carrier.Velocity;
+            on.Turning = on.SurfaceRate = on.MaterialRate = on.Gyration = Vector3d.Zero;
+            on.Centripetal = 0;
+        }
+        else
+        {
+            ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
+            Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        }
+
         Vector3d n = on.Normal;
 
         // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
@@ -148,8 +162,8 @@ internal struct SurfaceSystem : IMotionSystem
 
         // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
-        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
-        double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        double rate = !Around.Air.Varies ? Around.Air.OfLaws(in u, in at.Spin, Branch, out AirFactors air)
+            : Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;

@@ -132,12 +132,8 @@ internal struct SceneAir : IFlightAir
         // u = v − W(p, t)
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
         Vector3d w = ball.Spin;
-        factors.AirVelocity = u;
-        factors.AirSpeed = 0;
-        factors.Acceleration = Vector3d.Zero;
-        factors.SpinAcceleration = Vector3d.Zero;
         DragBranch here = DragJump.Choose(_jumpsInField, locates: false, branch, u.LengthSquared, _radiusSquared * w.LengthSquared);
-        double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
+        double rate = OfLaws(in u, in w, here, out factors);
 
         // The knuckle force acts only in flight, and depends on the distance flown.
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
@@ -148,6 +144,17 @@ internal struct SceneAir : IFlightAir
 
         _own?.AddTo(in ball, ref factors);
         return rate;
+    }
+
+    /// <summary>Computes the effect of the laws alone. It is that of all air unless <see cref="Varies"/> is true.</summary>
+    /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
+    public readonly double OfLaws(in Vector3d u, in Vector3d spin, DragBranch branch, out AirFactors factors)
+    {
+        factors.AirVelocity = u;
+        factors.AirSpeed = 0;
+        factors.Acceleration = Vector3d.Zero;
+        factors.SpinAcceleration = Vector3d.Zero;
+        return AirRates.Factors(_laws, u.X, u.Y, u.Z, spin.X, spin.Y, spin.Z, branch, out factors.Drag, out factors.Lift, out factors.Decay);
     }
 }
 

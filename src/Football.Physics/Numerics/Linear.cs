@@ -59,23 +59,26 @@ internal static class Linear
             }
 
             // The pivot is 0 or NaN, so the system is singular.
-            if (!(Math.Abs(a[(pivot * width) + i]) > 1e-300))
+            Span<double> upper = a.AsSpan(i * width, width);
+            Span<double> largest = a.AsSpan(pivot * width, width);
+            if (!(Math.Abs(largest[i]) > 1e-300))
             {
                 return false;
             }
 
-            for (int k = 0; k < width && pivot != i; k++)
+            for (int k = i; k < upper.Length && pivot != i; k++)
             {
-                (a[(i * width) + k], a[(pivot * width) + k]) = (a[(pivot * width) + k], a[(i * width) + k]);
+                (upper[k], largest[k]) = (largest[k], upper[k]);
             }
 
             for (int row = i + 1; row < n; row++)
             {
-                // Eliminate the entries below the pivot.
-                double factor = a[(row * width) + i] / a[(i * width) + i];
-                for (int k = i; k < width; k++)
+                // Eliminate the entries below the pivot. Those in its own column are not used again.
+                Span<double> lower = a.AsSpan(row * width, width);
+                double factor = lower[i] / upper[i];
+                for (int k = i + 1; k < lower.Length; k++)
                 {
-                    a[(row * width) + k] -= factor * a[(i * width) + k];
+                    lower[k] -= factor * upper[k];
                 }
             }
         }

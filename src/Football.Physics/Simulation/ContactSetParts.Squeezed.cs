@@ -23,6 +23,7 @@ internal sealed partial class ContactSetParts
     /// <remarks>The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, without restitution.
     /// The squeeze ends when no moving object pushes the ball any longer, or when some direction leads off all contacts.</remarks>
     [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Room];

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.State;
@@ -64,17 +65,12 @@ internal sealed class DragJumpGuard
             }
         }
 
-        // The interpolant crosses no surface after all: keep the entire piece.
-        TSweep whole = sweep;
-        if (!JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
+        // After the crossing, use the other branch, or slide along the surface. If the interpolant crosses no surface after all, keep the entire piece.
+        if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
         {
-            whole.Evaluations = sweep.Evaluations;
-            sweep = whole;
-            return true;
+            next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         }
 
-        // After the crossing, use the other branch, or slide along the surface.
-        next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
 
@@ -135,16 +131,23 @@ internal sealed class DragJumpGuard
         DragJump start = sweep.StartJump;
         DragJump startRate = sweep.StartJumpRate;
         DragJump end = sweep.EndJump;
-        double h = sweep.Length;
-        if (!DragJump.MayCross(branch, in start, in startRate, in end, h))
+        if (!DragJump.MayCross(branch, in start, in startRate, in end, sweep.Length))
         {
             return;
         }
 
+        run.Splits++;
+        EndAtCrossingOnGround(ref sweep, ref branch, in start, in startRate, in end);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)] // its copy of the sweep would be cleared in every piece
+    private static void EndAtCrossingOnGround<TSweep>(ref TSweep sweep, ref DragBranch branch, in DragJump start, in DragJump startRate, in DragJump end)
+        where TSweep : struct, IFlowSweep
+    {
         // On the ground there is no sliding mode: from the crossing on, use the other branch. A piece that starts on a surface has already passed
         // that crossing, and may reach the other surface.
-        run.Splits++;
         TSweep whole = sweep;
+        double h = sweep.Length;
         if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))
         {
             branch = branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;

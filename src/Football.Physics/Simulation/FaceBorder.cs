@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
@@ -14,6 +15,7 @@ internal static class FaceBorder
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
     /// <param name="carrier">The carrier of the ball.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void EndBeyond<TSweep>(ref TSweep sweep, in BallState s, Collider carrier)
         where TSweep : struct, ISweep
     {

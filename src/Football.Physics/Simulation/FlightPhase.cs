@@ -49,6 +49,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Takes the next piece of a flight.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every step that has pieces
     public void Take(ref BallState s, ref StepRun run)
     {
         if (!Propose(ref s, ref run, out double h, out bool hasAxis))
@@ -88,6 +89,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
     private void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IIntegrator
     {
@@ -303,6 +305,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Ends a piece at the time when the spin reaches zero: decay never reverses a spin.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static void EndSpin(ref FlightSweep sweep, double spinRate)
     {
         // Start with a secant estimate, then repeat the step until the spin at its end is zero.

@@ -43,6 +43,7 @@ internal sealed unsafe class RestPhase
     public bool IsWokenByMotion { get; }
 
     /// <summary>Advances to the end of the step, or to the event that wakes the ball.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Take(ref BallState s, ref StepRun run)
     {
         // The ground alone holds the ball in any wind, and no object moves: only advance the time.

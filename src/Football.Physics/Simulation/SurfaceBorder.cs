@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
@@ -18,6 +19,7 @@ internal static class SurfaceBorder
     }
 
     /// <summary>Shortens a piece that ends on another patch than it started on, so that it ends just beyond the border.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void EndBeyond<TSweep>(ref TSweep sweep, in BallState s, Collider carrier)
         where TSweep : struct, ISweep
     {

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
@@ -51,19 +52,18 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             Sweep.Evaluations++;
         }
 
-        return Of(in on, in at, after);
+        return Of(_what, in Sweep.System, in on, in at, _time + after);
     }
 
-    /// <summary>Returns the margin if the forces are known. The spin margin does not use them.</summary>
-    private double Of(in SurfaceForces on, in Motion at, double after)
+    /// <summary>Returns a margin if the forces are known. The spin margin does not use them.</summary>
+    private static double Of(SurfaceLimit what, in SurfaceSystem system, in SurfaceForces on, in Motion at, double time)
     {
-        ref SurfaceSystem system = ref Sweep.System;
-        switch (_what)
+        switch (what)
         {
             case SurfaceLimit.Spin:
                 // Without drilling friction, the end of the spin has no effect.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
-                    ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, _time + after))
+                    ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, time))
                     : 0;
             case SurfaceLimit.Load:
                 return on.FreeLoad;
@@ -73,7 +73,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 bool held = system.Rests(in on);
 
                 // Use the square root of the energy, because it falls almost linearly.
-                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, _time + after)) - Math.Sqrt(system.World.RestEnergy) : 1;
+                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, time)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 
@@ -87,11 +87,10 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     /// <returns>True if the piece ends beyond a jump of a margin, as at an edge.</returns>
     public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls, bool keepsGrip)
     {
-        // Use the same overshoot for all margins; otherwise, a later one would end the piece before the edge.
+        // Evaluate all margins once at the end; search only for those that are negative there. Use the same overshoot for all of them; otherwise,
+        // a later one would end the piece before the edge.
         double beyond = ContactTolerances.BeyondJump * sweep.Length;
         bool jumps = false;
-
-        // Evaluate all margins once at the end; search only for those that are negative there.
         SurfaceForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
         sweep.Evaluations++;
         for (var what = SurfaceLimit.Load; what <= SurfaceLimit.Spin; what++)
@@ -101,32 +100,38 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 continue;
             }
 
-            var margin = new SurfaceMargin<TIntegrator>(what, in sweep, s.Time);
-            double end = margin.Of(in atEnd, in sweep.Taken.End, sweep.Length);
-            if (end >= 0)
+            double end = Of(what, in sweep.System, in atEnd, in sweep.Taken.End, s.Time + sweep.Length);
+            if (end < 0)
             {
-                continue;
-            }
-
-            double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
-            if (start > 0)
-            {
-                // Find the first zero on the step itself by the Illinois method. If a value is not small there, the margin has jumped.
-                margin._jump = ContactTolerances.MarginJump * start;
-                double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * sweep.Length, 60);
-                jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
-                if (jumps)
-                {
-                    margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));
-                }
-
-                // Check the remaining margins on the shortened piece.
-                sweep = margin.Sweep;
-                atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
-                sweep.Evaluations++;
+                EndAtZero(what, ref sweep, in s, end, beyond, ref atEnd, ref jumps);
             }
         }
 
         return jumps;
+    }
+
+    /// <summary>Ends a piece at the zero of a margin that is negative at its end, unless it is not positive at the start.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its copy of the sweep would be cleared in every piece
+    private static void EndAtZero(
+        SurfaceLimit what, ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, double end, double beyond, ref SurfaceForces atEnd, ref bool jumps)
+    {
+        var margin = new SurfaceMargin<TIntegrator>(what, in sweep, s.Time);
+        double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
+        if (start > 0)
+        {
+            // Find the first zero on the step itself by the Illinois method. If a value is not small there, the margin has jumped.
+            margin._jump = ContactTolerances.MarginJump * start;
+            double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * sweep.Length, 60);
+            jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
+            if (jumps)
+            {
+                margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));
+            }
+
+            // Check the remaining margins on the shortened piece.
+            sweep = margin.Sweep;
+            atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
+            sweep.Evaluations++;
+        }
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
@@ -65,6 +66,7 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>Takes the next piece of a slide or a roll.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every step that has pieces
     public void Take(ref BallState s, ref StepRun run)
     {
         SurfacePiece piece = default;
@@ -121,7 +123,7 @@ internal sealed class SurfacePhase<TIntegrator>
         // Compute the forces at the start, then check whether the ball leaves, rests, grips or slips.
         bool rolls = s.Motion == MotionState.Rolling;
         piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        piece.System = System(in s, in piece.From, rolls);
+        System(in s, in piece.From, rolls, out piece.System);
         piece.System.CarrierGain = run.CarrierGain;
         piece.On = piece.System.ForcesOn(s.Time, in piece.From);
         run.Log.Evaluations++;
@@ -381,18 +383,18 @@ internal sealed class SurfacePhase<TIntegrator>
         return h;
     }
 
-    private SurfaceSystem System(in BallState s, in Motion from, bool rolls)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void System(in BallState s, in Motion from, bool rolls, out SurfaceSystem system)
     {
         Collider carrier = _world.CarrierOf(in s);
         ShapePoint at = carrier.At(s.Position, s.Time);
         double about = Vector3d.Dot(from.Spin, at.Normal) - Vector3d.Dot(carrier.Spin, at.Normal);
-        var system = SurfaceSystem.On(_around, carrier, in s, _jump.OnSurface(s.Branch, in from));
+        system = SurfaceSystem.On(_around, carrier, in s, _jump.OnSurface(s.Branch, in from));
         system.Rolls = rolls;
         system.StartSpin = from.Spin;
         system.IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat;
         system.FaceNormal = at.Normal;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
-        return system;
     }
 }
 

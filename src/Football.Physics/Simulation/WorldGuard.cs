@@ -81,16 +81,15 @@ internal sealed class WorldGuard
     /// <param name="met">The contact.</param>
     /// <returns>True if there is a contact.</returns>
     public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, scoped Span<Contact> held, out Separation met)
+        where TSweep : struct, ISweep =>
+        _world.IsPlaneAlone ? EndAtPlane(ref sweep, in s, order, out met) : EndAmong(ref sweep, in s, order, held, out met);
+
+    private bool EndAmong<TSweep>(ref TSweep sweep, in BallState s, int order, scoped Span<Contact> held, out Separation met)
         where TSweep : struct, ISweep
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         met = default;
-        if (carrier >= 0 && _world.IsPlaneAlone)
-        {
-            return false;
-        }
-
-        for (int i = 0; i < MostSearches; i++)
+        for (int i = 0; i < MostSearches && (i == 0 || sweep.Length > 0); i++)
         {
             // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has a different
             // cubic, so repeat.
@@ -112,24 +111,14 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // The thesis' bisection supports only level ground.
-            if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
+            if (!Ends(ref sweep, in found, s.Time, at))
             {
-                Bisection.End(ref sweep, _tolerance, _world.LevelContact);
-                met = found;
-                break;
-            }
-
-            if (!Locate(ref sweep, in found, s.Time, at))
-            {
-                // The search stopped at a grazing contact: end the piece there. The next piece continues the search.
-                sweep.Step(Math.Max(at, ContactTolerances.ShortestPiece * path.Length));
                 met = default;
                 break;
             }
 
             // On the cubic, the ball may seem to hit the surface beyond a seam. If the step itself crosses the seam, end the piece at the edge.
-            if (found.What == SeparationKind.Contact && !_world.IsPlaneAlone
+            if (found.What == SeparationKind.Contact
                 && Flush.Passage(_world, found.Index, sweep.Position, sweep.Velocity, s.Time + sweep.Length, carrier, held) > 0)
             {
                 met = default;
@@ -137,14 +126,64 @@ internal sealed class WorldGuard
             }
 
             met = found;
-            if (!(sweep.Length > 0) || _world.IsPlaneAlone)
-            {
-                // No other contact can be earlier.
-                break;
-            }
         }
 
         return met.What != SeparationKind.None;
+    }
+
+    /// <summary>Ends a piece at the only surface of the scene, a plane: the same search without the code for other surfaces, which costs more to enter.</summary>
+    private bool EndAtPlane<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
+        where TSweep : struct, ISweep
+    {
+        met = default;
+        if (s.Motion != MotionState.Airborne || _world.Ground?.StandingPlane is not { } plane)
+        {
+            return false;
+        }
+
+        double length = sweep.Length;
+        var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, length, isQuadratic: order <= 2);
+        var gap = new PlaneGap(in path, plane.Normal, plane.DistanceTo(in path.Start) - _world.Ball.Radius);
+        double at = TimeOfImpact.First(ref gap, new SearchSpan(length, double.PositiveInfinity));
+        if (!(at <= length))
+        {
+            return false;
+        }
+
+        var ground = new Separation(_world, SeparationKind.Contact, 0);
+        if (at == 0)
+        {
+            sweep.Step(0);
+        }
+        else if (!Ends(ref sweep, in ground, s.Time, at))
+        {
+            return false;
+        }
+
+        met = ground;
+        return true;
+    }
+
+    /// <summary>Ends a piece at a contact, or where the search for it stopped.</summary>
+    /// <returns>False if the search stopped at a grazing contact. The next piece continues the search.</returns>
+    private bool Ends<TSweep>(ref TSweep sweep, in Separation found, double time, double at)
+        where TSweep : struct, ISweep
+    {
+        // The thesis' bisection supports only level ground.
+        if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
+        {
+            Bisection.End(ref sweep, _tolerance, _world.LevelContact);
+            return true;
+        }
+
+        double length = sweep.Length;
+        if (!Locate(ref sweep, in found, time, at))
+        {
+            sweep.Step(Math.Max(at, ContactTolerances.ShortestPiece * length));
+            return false;
+        }
+
+        return true;
     }
 
     /// <summary>Handles a contact at the ball's position.</summary>
@@ -266,144 +305,6 @@ internal sealed class WorldGuard
             }
 
             return isClose;
-        }
-    }
-}
-
-/// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them at kinks of the net's force.</summary>
-/// <remarks>The force has a kink when the net goes slack or taut.</remarks>
-internal sealed class NetGuard
-{
-    /// <summary>Factor by which a piece that bends too much is shortened.</summary>
-    private const double Shorter = 0.8;
-
-    /// <summary>Maximum number of times a piece next to a collider is shortened.</summary>
-    private const int MostHalved = 4;
-
-    /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
-    private const int MostParts = 64;
-
-    private readonly World _world;
-
-    public NetGuard(World world) => _world = world;
-
-    /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
-    public double LongestPiece(in BallState s, double h)
-    {
-        h = s.Nets == 0 ? h : Math.Min(h, _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity, MostParts));
-        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
-        {
-            if ((s.Nets >> i & 1) != 0)
-            {
-                // The deviation of the path scales with the sixth power of the piece's length.
-                while (_world.Nets[i].Bends(s.Position, s.Velocity, NetSheet.SideOf(s.NetSides, i), h) > ContactTolerances.NetBend)
-                {
-                    h *= Shorter;
-                }
-            }
-        }
-
-        return h;
-    }
-
-    /// <summary>Returns how fast the nets around the ball change its motion at a position, 1/s.</summary>
-    public double FastestRate(in BallState s, in Vector3d position)
-    {
-        double rate = 0;
-        for (int i = 0; i < _world.Nets.Length; i++)
-        {
-            if ((s.Nets >> i & 1) != 0)
-            {
-                rate += _world.Nets[i].RateAt(Math.Max(0, _world.Nets[i].Depth(in position, NetSheet.SideOf(s.NetSides, i))));
-            }
-        }
-
-        return rate;
-    }
-
-    /// <summary>Ends a piece when the tension 1 + b δ̇ of a net changes sign.</summary>
-    public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
-        where TSweep : struct, ISweep
-    {
-        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
-        {
-            if ((s.Nets >> i & 1) == 0)
-            {
-                continue;
-            }
-
-            // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
-            Vector3d velocity = sweep.Velocity;
-            double side = NetSheet.SideOf(s.NetSides, i);
-            double start = _world.Nets[i].Tension(s.Velocity, side);
-            double end = _world.Nets[i].Tension(in velocity, side);
-            if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
-            {
-                // The motion is smooth up to the kink, so the rate at its start gives a better first guess than a secant across the kink.
-                double sign = start < 0 ? -1.0 : 1.0;
-                double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
-                double secant = sweep.Length * start / (start - end);
-                EventLocator.Locate(ref sweep, new TensionLeft<TSweep>(_world.Nets[i], side, sign), first < sweep.Length ? first : secant);
-            }
-        }
-    }
-
-    /// <summary>Shortens a piece next to a collider until the cubic that is searched matches the path, which a net bends
-    /// strongly.</summary>
-    /// <param name="sweep">The piece.</param>
-    /// <param name="s">The ball at its start.</param>
-    /// <param name="carrier">The carrier; −1 if there is none.</param>
-    public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, int carrier)
-        where TSweep : struct, ISweep
-    {
-        for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
-        {
-            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, which is of fourth order in the length.
-            double h = sweep.Length;
-            Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
-            double share = ContactTolerances.NetBend / off.Length;
-            if (!(share < 1))
-            {
-                return;
-            }
-
-            sweep.Step(h * Shorter * Math.Sqrt(Math.Sqrt(share)));
-        }
-    }
-
-    /// <summary>True if a collider other than the carrier is next to a piece.</summary>
-    private bool IsNear<TSweep>(ref TSweep sweep, in BallState s, int carrier)
-        where TSweep : struct, ISweep
-    {
-        var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
-        double r = _world.Ball.Radius;
-        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
-        while (near.Next(out int i))
-        {
-            // Planes have no bounding box, so check their distance here.
-            bool isFar = _world.Colliders[i].StandingPlane is { } plane
-                && Math.Min(plane.DistanceTo(s.Position), plane.DistanceTo(sweep.Position)) > r + path.Deviation;
-            if (i != carrier && !isFar)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>The remaining tension of a net before its sign change.</summary>
-    private readonly struct TensionLeft<TSweep>(NetSheet net, double side, double sign) : IEventFunction<TSweep>
-        where TSweep : struct, ISweep
-    {
-        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
-        {
-            // A Newton step on ± (1 + b δ̇); its derivative needs the acceleration at the end.
-            value = sign * net.Tension(sweep.Velocity, side);
-            bool isThere = Math.Abs(value) < ContactTolerances.NetSlack;
-            double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);
-            correction = rate < 0 ? -value / rate : double.NaN;
-            return isThere;
         }
     }
 }

@@ -26,8 +26,8 @@ internal static class TwoPointGuess
         double spinRate = Math.Max(10.0, Math.Sqrt((request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin)));
         double top = 0;
         double side = 0;
-        double azimuth = 0;
         double elevation = 0.2;
+        double aside = 0;
         double drag = 0;
         throughTime = 0;
         targetTime = 0;
@@ -70,11 +70,11 @@ internal static class TwoPointGuess
             side = lift > 0 ? spinRate * bendLeft / lift : 0;
             top = lift > 0 ? -spinRate * bendUp / lift : 0;
             elevation = Math.Min(Math.Max(AngleOf(slopeUp), -1.2), 1.2);
-            azimuth = AngleOf(slopeLeft);
+            aside = slopeLeft;
         }
 
         x[PlaneProblem.Elevation] = problem.Bounds.Clamp(elevation);
-        x[PlaneProblem.Azimuth] = azimuth;
+        x[PlaneProblem.Azimuth] = AngleOf(aside);
         x[PlaneProblem.Top] = Math.Min(Math.Max(top, -request.MaximumTopSpin), request.MaximumTopSpin);
         x[PlaneProblem.Side] = Math.Min(Math.Max(side, -request.MaximumSideSpin), request.MaximumSideSpin);
         return drag;

@@ -1,0 +1,143 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
+
+/// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them at kinks of the net's force.</summary>
+/// <remarks>The force has a kink when the net goes slack or taut.</remarks>
+internal sealed class NetGuard
+{
+    /// <summary>Factor by which a piece that bends too much is shortened.</summary>
+    private const double Shorter = 0.8;
+
+    /// <summary>Maximum number of times a piece next to a collider is shortened.</summary>
+    private const int MostHalved = 4;
+
+    /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
+    private const int MostParts = 64;
+
+    private readonly World _world;
+
+    public NetGuard(World world) => _world = world;
+
+    /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
+    public double LongestPiece(in BallState s, double h)
+    {
+        h = s.Nets == 0 ? h : Math.Min(h, _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity, MostParts));
+        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                // The deviation of the path scales with the sixth power of the piece's length.
+                while (_world.Nets[i].Bends(s.Position, s.Velocity, NetSheet.SideOf(s.NetSides, i), h) > ContactTolerances.NetBend)
+                {
+                    h *= Shorter;
+                }
+            }
+        }
+
+        return h;
+    }
+
+    /// <summary>Returns how fast the nets around the ball change its motion at a position, 1/s.</summary>
+    public double FastestRate(in BallState s, in Vector3d position)
+    {
+        double rate = 0;
+        for (int i = 0; i < _world.Nets.Length; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                rate += _world.Nets[i].RateAt(Math.Max(0, _world.Nets[i].Depth(in position, NetSheet.SideOf(s.NetSides, i))));
+            }
+        }
+
+        return rate;
+    }
+
+    /// <summary>Ends a piece when the tension 1 + b δ̇ of a net changes sign.</summary>
+    public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
+        where TSweep : struct, ISweep
+    {
+        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
+        {
+            if ((s.Nets >> i & 1) == 0)
+            {
+                continue;
+            }
+
+            // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
+            Vector3d velocity = sweep.Velocity;
+            double side = NetSheet.SideOf(s.NetSides, i);
+            double start = _world.Nets[i].Tension(s.Velocity, side);
+            double end = _world.Nets[i].Tension(in velocity, side);
+            if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
+            {
+                // The motion is smooth up to the kink, so the rate at its start gives a better first guess than a secant across the kink.
+                double sign = start < 0 ? -1.0 : 1.0;
+                double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
+                double secant = sweep.Length * start / (start - end);
+                EventLocator.Locate(ref sweep, new TensionLeft<TSweep>(_world.Nets[i], side, sign), first < sweep.Length ? first : secant);
+            }
+        }
+    }
+
+    /// <summary>Shortens a piece next to a collider until the cubic that is searched matches the path, which a net bends
+    /// strongly.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, int carrier)
+        where TSweep : struct, ISweep
+    {
+        for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
+        {
+            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, which is of fourth order in the length.
+            double h = sweep.Length;
+            Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
+            double share = ContactTolerances.NetBend / off.Length;
+            if (!(share < 1))
+            {
+                return;
+            }
+
+            sweep.Step(h * Shorter * Math.Sqrt(Math.Sqrt(share)));
+        }
+    }
+
+    /// <summary>True if a collider other than the carrier is next to a piece.</summary>
+    private bool IsNear<TSweep>(ref TSweep sweep, in BallState s, int carrier)
+        where TSweep : struct, ISweep
+    {
+        var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
+        double r = _world.Ball.Radius;
+        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
+        while (near.Next(out int i))
+        {
+            // Planes have no bounding box, so check their distance here.
+            bool isFar = _world.Colliders[i].StandingPlane is { } plane
+                && Math.Min(plane.DistanceTo(s.Position), plane.DistanceTo(sweep.Position)) > r + path.Deviation;
+            if (i != carrier && !isFar)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The remaining tension of a net before its sign change.</summary>
+    private readonly struct TensionLeft<TSweep>(NetSheet net, double side, double sign) : IEventFunction<TSweep>
+        where TSweep : struct, ISweep
+    {
+        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
+        {
+            // A Newton step on ± (1 + b δ̇); its derivative needs the acceleration at the end.
+            value = sign * net.Tension(sweep.Velocity, side);
+            bool isThere = Math.Abs(value) < ContactTolerances.NetSlack;
+            double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);
+            correction = rate < 0 ? -value / rate : double.NaN;
+            return isThere;
+        }
+    }
+}
