@@ -51,8 +51,17 @@ internal struct FlightSystem : IMotionSystem
         Surroundings around = Around;
         MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, in at);
         Vector3d u = at.Velocity - around.Wind;
-        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
-        around.Air.Evaluate(in ball, branch, out AirFactors air);
+        AirFactors air;
+        if (Nets != 0 && !around.Air.Varies)
+        {
+            around.Air.EvaluateSteady(in u, in at.Spin, branch, out air);
+        }
+        else
+        {
+            var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
+            around.Air.Evaluate(in ball, branch, out air);
+        }
+
         MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);
         return Nets == 0 ? rates : new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }

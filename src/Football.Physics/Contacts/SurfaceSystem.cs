@@ -148,8 +148,18 @@ internal struct SurfaceSystem : IMotionSystem
 
         // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
-        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
-        double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        AirFactors air;
+        double rate;
+        if (Nets != 0 && !Around.Air.Varies)
+        {
+            rate = Around.Air.EvaluateSteady(in u, in at.Spin, Branch, out air);
+        }
+        else
+        {
+            var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
+            rate = Around.Air.Evaluate(in ball, Branch, out air);
+        }
+
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
