@@ -14,6 +14,9 @@ internal struct FlightSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <summary>The nets that stay slack for the entire piece; the others stay taut. If null, the velocity decides at each instant.</summary>
+    public ulong? NetsSlack;
+
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
@@ -49,7 +52,7 @@ internal struct FlightSystem : IMotionSystem
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
         Surroundings around = Around;
-        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, in at);
+        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
         Vector3d u = at.Velocity - around.Wind;
         AirFactors air;
         if (Nets != 0 && !around.Air.Varies)

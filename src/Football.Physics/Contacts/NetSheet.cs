@@ -123,13 +123,14 @@ internal sealed class NetSheet
         return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
     }
 
-    /// <summary>Returns the force on a ball in the net: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
-    public MotionRates Push(in Motion at, double side)
+    /// <summary>Returns the force on a ball in the net: F/m = σ k δ (1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω. The first term is zero if the net is
+    /// slack.</summary>
+    public MotionRates Push(in Motion at, double side, bool isSlack)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));
         double off = Vector3d.Dot(in at.Velocity, Normal);
         Vector3d tangential = at.Velocity - (off * Normal);
-        double normal = side * _stiffness * depth * Math.Max(0, Tension(in at.Velocity, side));
+        double normal = isSlack ? 0 : side * _stiffness * depth * Tension(in at.Velocity, side);
         return new MotionRates((normal * Normal) - ((_tangential * depth) * tangential), (-_spin * depth) * at.Spin);
     }
 }

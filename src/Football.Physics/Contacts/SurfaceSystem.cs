@@ -26,6 +26,9 @@ internal struct SurfaceSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <summary>The nets that stay slack for the entire piece; the others stay taut. If null, the velocity decides at each instant.</summary>
+    public ulong? NetsSlack;
+
     /// <summary>True if the ball rolls; false if it slides.</summary>
     public bool Rolls;
 
@@ -174,7 +177,7 @@ internal struct SurfaceSystem : IMotionSystem
         double pressing = 0;
         if (Nets != 0)
         {
-            MotionRates nets = World.NetForces.Push(Nets, NetSides, in at);
+            MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
             pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;

@@ -165,6 +165,7 @@ internal sealed class SurfacePhase<TIntegrator>
         // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
         piece.Length = LongestPiece(in s, in piece.From, in piece.On, ref run);
         piece.Start = piece.System.RatesUnder(in piece.On, s.Time, in piece.From);
+        piece.System.NetsSlack = _nets.SlackAt(in s, piece.Start.Acceleration);
         return piece.Size < ContactTolerances.Rolling || FollowsDirection(ref s, ref run, ref piece, in moving);
     }
 
@@ -263,7 +264,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double crossing = sweep.Length;
         piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
-        _nets.EndWhereSlack(ref sweep, in s);
+        _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out piece.Met);
 
