@@ -68,7 +68,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public readonly double LongestPart(in Motion at, in MotionRates rates) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

@@ -33,7 +33,7 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
-    public readonly double LongestPart(in Motion at) => Around.World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public readonly double LongestPart(in Motion at, in MotionRates rates) => Around.World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

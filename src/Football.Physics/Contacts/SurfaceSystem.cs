@@ -16,6 +16,10 @@ namespace FootballPhysics.Contacts;
 /// </remarks>
 internal struct SurfaceSystem : IMotionSystem
 {
+    /// <summary>The share of the distance to the singularity of the direction that a part takes, and the greatest product of length and turning rate.</summary>
+    private const double ShareOfPart = 0.6;
+    private const double TurnOfPart = 3.0;
+
     public Surroundings Around;
     public World World;
     public Collider Carrier;
@@ -35,6 +39,15 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
     /// <remarks>Friction keeps this direction if a stage passes zero.</remarks>
     public Vector3d Direction;
+
+    /// <summary>The velocity of the carrier from which the slip or the roll of a ball in a net is measured, m/s.</summary>
+    public Vector3d Reference;
+
+    /// <summary>The part of the rate of the slip or the roll that is due to friction, m/s².</summary>
+    public double Friction;
+
+    /// <summary>The minimum length of a part, s.</summary>
+    public double ShortestPart;
 
     /// <summary>True if friction keeps <see cref="Direction"/> for the entire piece.</summary>
     /// <remarks>
@@ -111,7 +124,23 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public double LongestPart(in Motion at, in MotionRates rates)
+    {
+        double longest = World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+        if (LocksDirection || Pinned)
+        {
+            return longest;
+        }
+
+        // In complex time, the direction of a slip s is singular at the distance |s|/|ṡ|. Friction turns it at the rate k/|s|.
+        Vector3d velocity = at.Velocity - Reference;
+        double r = World.Ball.Radius;
+        Vector3d moving = Rolls ? Tangential(in velocity, in FaceNormal) : Slip.Of(in velocity, in at.Spin, in FaceNormal, r);
+        Vector3d rate = Rolls ? Tangential(rates.Acceleration, in FaceNormal) : Slip.Of(rates.Acceleration, rates.SpinAcceleration, in FaceNormal, r);
+        double size = moving.Length;
+        Direction = size > 0 ? moving / size : Direction;
+        return Math.Min(longest, Math.Max(ShortestPart, ShareOfPart * size / Math.Max(rate.Length, Friction / TurnOfPart)));
+    }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

@@ -18,9 +18,10 @@ internal struct Substeps : IIntegrator
     /// <summary>Maximum number of parts of a step: a motion that runs away would need ever shorter ones.</summary>
     private const int MostParts = 256;
 
-    // The resume point: time since the start, length of the next part, and the result of the step so far.
+    // The resume point: time since the start, length of the next part, the rates there, and the result of the step so far.
     private double _done;
     private double _part;
+    private MotionRates _rates;
     private MotionStep _step;
 
     /// <summary>The number of evaluations of the last step.</summary>
@@ -49,7 +50,8 @@ internal struct Substeps : IIntegrator
     {
         bool goesOn = _done > 0 && _done < h;
         double done = goesOn ? _done : 0;
-        double part = goesOn ? _part : system.LongestPart(in from);
+        MotionRates rates = goesOn ? _rates : start;
+        double part = goesOn ? _part : system.LongestPart(in from, in rates);
         step = goesOn ? _step : new MotionStep { End = from };
         Stages = 0;
         for (int parts = 1; ; parts++)
@@ -57,12 +59,6 @@ internal struct Substeps : IIntegrator
             // A part that is not a number is the last one, too.
             bool isLast = !(done + part < h) || parts == MostParts;
             Motion at = step.End;
-            MotionRates rates = start;
-            if (done > 0)
-            {
-                system.Rates(time + done, in at, out rates);
-            }
-
             double length = isLast ? h - done : part;
             Stages += Take(ref system, time + done, in at, in rates, length, length <= Short * part, out MotionStep next);
 
@@ -81,11 +77,13 @@ internal struct Substeps : IIntegrator
 
             // Save a resume point well before the end.
             done += part;
-            part = system.LongestPart(in step.End);
+            system.Rates(time + done, in step.End, out rates);
+            part = system.LongestPart(in step.End, in rates);
             if (done + (Before * part) < h)
             {
                 _done = done;
                 _part = part;
+                _rates = rates;
                 _step = step;
             }
         }

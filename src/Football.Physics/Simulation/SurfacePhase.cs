@@ -35,6 +35,9 @@ internal sealed class SurfacePhase<TIntegrator>
     /// </remarks>
     private const double Creeping = 256;
 
+    /// <summary>The shortest part of a piece in a net, as a share of the piece.</summary>
+    private const double ShortestPart = 0.02;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly StabilityLimit _limit;
@@ -218,13 +221,24 @@ internal sealed class SurfacePhase<TIntegrator>
             : SlipRate(in piece.On, in piece.Start, in piece.From.Spin);
 
         // Near the end of a slip, its direction turns ever faster: use the closed form there.
-        if (!rolls && _endsSlipExactly && sliding > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out SlideStop stop))
+        SlideStop stop = default;
+        if (!rolls && _endsSlipExactly && sliding > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out stop))
         {
             EndSlip(ref s, ref run, in piece, in stop);
             return false;
         }
 
         double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _world.Ball.InertiaFactor));
+        if (s.Nets != 0)
+        {
+            // The parts of the piece follow the direction, so only end the piece before the slip or the roll ends.
+            system.Reference = rolls ? piece.From.Velocity - piece.On.Rolling : piece.On.Surface;
+            system.Friction = turned;
+            piece.Length = stop.Time > 0 ? Math.Min(piece.Length, stop.Time) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
+            system.ShortestPart = ShortestPart * piece.Length;
+            return true;
+        }
+
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
         h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.On.Turning == Vector3d.Zero) : h;
         piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);

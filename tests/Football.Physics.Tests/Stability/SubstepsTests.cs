@@ -59,7 +59,7 @@ public sealed class SubstepsTests
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(-400 * at.Position.X, 6 * time, 0), new Vector3d(0, 0, 3), 5);
 
-        public readonly double LongestPart(in FootballPhysics.Motion at) => 0.02 / (1 + at.Position.Y);
+        public readonly double LongestPart(in FootballPhysics.Motion at, in FootballPhysics.MotionRates rates) => 0.02 / (1 + at.Position.Y);
 
         public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
     }
@@ -69,7 +69,7 @@ public sealed class SubstepsTests
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(at.Velocity.X * at.Velocity.X, 0, 0), Vector3d.Zero);
 
-        public readonly double LongestPart(in FootballPhysics.Motion at) => 0.1 / at.Velocity.X;
+        public readonly double LongestPart(in FootballPhysics.Motion at, in FootballPhysics.MotionRates rates) => 0.1 / at.Velocity.X;
 
         public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
     }
