@@ -123,8 +123,11 @@ internal sealed class NetSheet
         return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
     }
 
-    /// <summary>Returns the force on a ball in the net: F/m = σ k δ (1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω. The first term is zero if the net is
-    /// slack.</summary>
+    /// <summary>Returns the force on a ball in the net: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
+    public MotionRates Push(in Motion at, double side) => Push(in at, side, Tension(in at.Velocity, side) < 0);
+
+    /// <summary>Returns the same force, on one side of its kink: without its first term if the net counts as slack, otherwise with 1 + b δ̇ of any
+    /// sign.</summary>
     public MotionRates Push(in Motion at, double side, bool isSlack)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));

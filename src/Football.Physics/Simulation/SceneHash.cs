@@ -31,7 +31,7 @@ internal static class SceneHash
             key.Add(net.InFrame(new Vector3d(1, 2, 3)));
 
             // Hash the net's response to a ball that moves further into its centre, where the tension is positive.
-            MotionRates push = net.Push(new Motion(0.5 * (net.Bounds.Min + net.Bounds.Max), new Vector3d(1, 2, 3) - (5 * net.Normal), new Vector3d(3, 2, 1)), 1, isSlack: false);
+            MotionRates push = net.Push(new Motion(0.5 * (net.Bounds.Min + net.Bounds.Max), new Vector3d(1, 2, 3) - (5 * net.Normal), new Vector3d(3, 2, 1)), 1);
             key.Add(push.Acceleration);
             key.Add(push.SpinAcceleration);
         }
