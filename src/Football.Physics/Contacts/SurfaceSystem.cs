@@ -63,7 +63,10 @@ internal struct SurfaceSystem : IMotionSystem
     /// evaluated.</summary>
     public bool IsFace;
 
-    /// <summary>The normal of that face.</summary>
+    /// <summary>True if <see cref="FaceNormal"/> is the normal for the entire piece, and the carrier's surface does not rotate.</summary>
+    public bool IsFlat;
+
+    /// <summary>The normal at the start of the piece.</summary>
     public Vector3d FaceNormal;
 
     /// <summary>The carrier's velocity jump at the start of the step, divided by its length, m/s².</summary>
@@ -161,7 +164,7 @@ internal struct SurfaceSystem : IMotionSystem
     private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>n.</summary>
-    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace ? FaceNormal : Carrier.At(in position, time).Normal;
+    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace || IsFlat ? FaceNormal : Carrier.At(in position, time).Normal;
 
     /// <summary>Computes all forces except friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
@@ -169,8 +172,16 @@ internal struct SurfaceSystem : IMotionSystem
         Unsafe.SkipInit(out SurfaceForces on);
 
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
-        ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-        Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        if (IsFlat)
+        {
+            DescribeFlat(Carrier, in FaceNormal, in at, ref on);
+        }
+        else
+        {
+            ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
+            Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        }
+
         Vector3d n = on.Normal;
 
         // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
@@ -248,6 +259,20 @@ internal struct SurfaceSystem : IMotionSystem
         }
 
         on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
+    }
+
+    /// <summary>Computes the same for a plane that does not rotate.</summary>
+    private static void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = Vector3d.Zero;
+        on.Centripetal = 0;
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        on.Gyration = Vector3d.Zero;
     }
 
     /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>

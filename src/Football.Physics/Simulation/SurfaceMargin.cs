@@ -51,19 +51,18 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             Sweep.Evaluations++;
         }
 
-        return Of(in on, in at, after);
+        return Of(_what, in Sweep.System, in on, in at, _time + after);
     }
 
-    /// <summary>Returns the margin if the forces are known. The spin margin does not use them.</summary>
-    private double Of(in SurfaceForces on, in Motion at, double after)
+    /// <summary>Returns a margin if the forces are known. The spin margin does not use them.</summary>
+    private static double Of(SurfaceLimit what, in SurfaceSystem system, in SurfaceForces on, in Motion at, double time)
     {
-        ref SurfaceSystem system = ref Sweep.System;
-        switch (_what)
+        switch (what)
         {
             case SurfaceLimit.Spin:
                 // Without drilling friction, the end of the spin has no effect.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
-                    ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, _time + after))
+                    ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, time))
                     : 0;
             case SurfaceLimit.Load:
                 return on.FreeLoad;
@@ -73,7 +72,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 bool held = system.Rests(in on);
 
                 // Use the square root of the energy, because it falls almost linearly.
-                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, _time + after)) - Math.Sqrt(system.World.RestEnergy) : 1;
+                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, time)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 
@@ -101,13 +100,13 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 continue;
             }
 
-            var margin = new SurfaceMargin<TIntegrator>(what, in sweep, s.Time);
-            double end = margin.Of(in atEnd, in sweep.Taken.End, sweep.Length);
+            double end = Of(what, in sweep.System, in atEnd, in sweep.Taken.End, s.Time + sweep.Length);
             if (end >= 0)
             {
                 continue;
             }
 
+            var margin = new SurfaceMargin<TIntegrator>(what, in sweep, s.Time);
             double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
             if (start > 0)
             {

@@ -405,6 +405,7 @@ internal sealed class SurfacePhase<TIntegrator>
         system.Rolls = rolls;
         system.StartSpin = from.Spin;
         system.IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat;
+        system.IsFlat = (system.IsFace || (carrier.IsPlane && !carrier.Rotates)) && carrier.Spin == Vector3d.Zero;
         system.FaceNormal = at.Normal;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
         return system;
