@@ -76,7 +76,7 @@ internal sealed class SlideEnd
 
         // If the means neglect too much, take an ordinary piece first.
         var mean = new SlipDecay(in slip, 0.5 * (push + endPush), 0.5 * (friction + endFriction));
-        if (s.Nets != 0 ? !IsCloseInNet(in slip, in mean, endPush - push, friction, ref stop.Time)
+        if (s.Nets != 0 ? !IsCloseInNet(in slip, in mean, endPush - push, friction, out stop.Before)
             : !(decay.Time * (change + (loadChange * loadChange)) <= ToleranceIn(run.Length) * friction * friction))
         {
             return false;
@@ -114,14 +114,14 @@ internal sealed class SlideEnd
     /// <param name="mean">Its decay under the means.</param>
     /// <param name="change">d, m/s².</param>
     /// <param name="friction">k, m/s².</param>
-    /// <param name="before">If false: the length of the piece after which the end will be close enough, s.</param>
-    private static bool IsCloseInNet(in Vector3d slip, in SlipDecay mean, in Vector3d change, double friction, ref double before)
+    /// <param name="before">The length of a piece after which the end is close enough, s; 0 if it is now, or if the slip does not end.</param>
+    private static bool IsCloseInNet(in Vector3d slip, in SlipDecay mean, in Vector3d change, double friction, out double before)
     {
         double d = change.Length;
         double turn = 2.0 * ((slip / slip.Length) - (mean.Direction / mean.Time)).Length;
         double error = mean.Time * d * (d + (friction * turn)) / 12.0;
         double most = ContactTolerances.NetSlideEnd * mean.Left;
-        before = (1.0 - (NearEnd * Math.Sqrt(most / error))) * mean.Time;
+        before = error > most && most > 0 ? (1.0 - (NearEnd * Math.Sqrt(most / error))) * mean.Time : 0;
         return error <= most;
     }
 
@@ -180,6 +180,9 @@ internal struct SlideStop
 {
     /// <summary>The time until the end, s.</summary>
     public double Time;
+
+    /// <summary>If the end was not found: the length of a piece after which it can be, s; 0 if unknown.</summary>
+    public double Before;
 
     /// <summary>The motion at the end.</summary>
     public Motion End;

@@ -234,7 +234,7 @@ internal sealed class SurfacePhase<TIntegrator>
             // The parts of the piece follow the direction, so only end the piece before the slip or the roll ends.
             system.Reference = rolls ? piece.From.Velocity - piece.On.Rolling : piece.On.Surface;
             system.Friction = turned;
-            piece.Length = stop.Time > 0 ? Math.Min(piece.Length, stop.Time) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
+            piece.Length = stop.Before > 0 ? Math.Min(piece.Length, stop.Before) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
             system.ShortestPart = ShortestPart * piece.Length;
             return true;
         }
