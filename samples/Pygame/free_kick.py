@@ -2,7 +2,7 @@
 Hold the mouse button for power, and release it to kick. R resets the ball. Needs the wheel of football_physics and Debian's python3-pygame.
 
     python3 samples/Pygame/free_kick.py                        play
-    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash 413ea67789e2e52a
+    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash bcd3904f7cf4a050
 """
 
 import os

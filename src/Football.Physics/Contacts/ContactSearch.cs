@@ -114,6 +114,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     {
         int deepest = near.Deepest;
         double deepestSide = deepest < 0 ? 0 : NetSheet.SideOf(s.NetSides, deepest);
+        double reach = s.Nets == 0 ? 0 : _path.Length * _path.FastestSpeed;
         for (int net = 0; net < _world.Nets.Length && (near.Nets | s.Nets) >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
@@ -121,9 +122,9 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
                 // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it. It leaves over an edge at
                 // its greatest depth in any net, so that it does not slip through where two nets are joined.
                 Vector3d place = _world.Nets[net].PlaceInFrame(_path.Start);
-                Leave(new Separation(_world, SeparationKind.NetLeft, net, 2, NetSheet.SideOf(s.NetSides, net)), ref best, ref first);
-                Leave(new Separation(_world, SeparationKind.NetLeft, net, 0, place.X, 0, deepest, deepestSide), ref best, ref first);
-                Leave(new Separation(_world, SeparationKind.NetLeft, net, 1, place.Y, 0, deepest, deepestSide), ref best, ref first);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 2, NetSheet.SideOf(s.NetSides, net)), reach, ref best, ref first);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 0, place.X, 0, deepest, deepestSide), reach, ref best, ref first);
+                Leave(new Separation(_world, SeparationKind.NetLeft, net, 1, place.Y, 0, deepest, deepestSide), reach, ref best, ref first);
             }
             else if ((near.Nets >> net & 1) != 0)
             {
@@ -154,8 +155,19 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     }
 
     /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
-    private void Leave(in Separation net, ref double best, ref Separation first)
+    /// <param name="net">The exit.</param>
+    /// <param name="reach">A bound on the distance that the ball covers on the path, m.</param>
+    /// <param name="best">The time of the earliest event so far, s.</param>
+    /// <param name="first">That event.</param>
+    private void Leave(in Separation net, double reach, ref double best, ref Separation first)
     {
+        // The gap changes by at most this multiple of the distance.
+        net.Evaluate(in _path.Start, in _path.C1, _time, out double start, out _);
+        if (start > (net.Bends * reach) + ContactTolerances.Touching)
+        {
+            return;
+        }
+
         var gap = new FallingGap(in net, in _path, _time, _bend);
         Keep(ref gap, in net, ref best, ref first);
     }

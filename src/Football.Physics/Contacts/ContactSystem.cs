@@ -28,6 +28,9 @@ internal unsafe struct ContactSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <inheritdoc cref="FlightSystem.NetsSlack"/>
+    public ulong? NetsSlack;
+
     /// <summary>The direction that the contacts leave free, in which the ball rolls from a standstill; zero if there is none.</summary>
     public Vector3d Along;
 
@@ -65,7 +68,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public readonly double LongestPart(in Motion at, in MotionRates rates) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -110,7 +113,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         acceleration = push + Around.Weight;
         if (Nets != 0)
         {
-            MotionRates nets = World.NetForces.Push(Nets, NetSides, in at);
+            MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
             acceleration += Bearer < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[Bearer].Normal);
             spinAcceleration += nets.SpinAcceleration;
         }
@@ -127,7 +130,7 @@ internal unsafe struct ContactSystem : IMotionSystem
 
         Vector3d u = still.Velocity - Around.Wind;
         Around.Air.Evaluate(new ForceContext(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
-        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.NetForces.Push(Nets, NetSides, in still).Acceleration;
+        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.NetForces.Push(Nets, NetSides, NetsSlack, in still).Acceleration;
         return air.Acceleration + Around.Weight + nets;
     }
 }

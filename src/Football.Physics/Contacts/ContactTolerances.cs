@@ -211,6 +211,10 @@ internal static class ContactTolerances
     /// <remarks>Above: a fast rattle counts as simultaneous. Below: a wedge never does.</remarks>
     public const double AtOnce = 1e-9;
 
+    /// <summary>The error of the time at which a slide in a net ends in closed form, s.</summary>
+    /// <remarks>Above: the velocity after the slide loses digits. Below: the slide takes more parts.</remarks>
+    public const double NetSlideEnd = 1e-9;
+
     /// <summary><see cref="SlideEnd"/> for integrators of an order below four, s.</summary>
     public const double CoarseSlideEnd = 1e-7;
 
@@ -226,7 +230,7 @@ internal static class ContactTolerances
     /// <remarks>Above: closing speeds of small displacements fall below <see cref="Approaching"/>. Below: rounding of the path grows.</remarks>
     public const double Displacement = 1e-6;
 
-    /// <summary>The longest closed-form end of a slide in a net or on a curved surface, s.</summary>
+    /// <summary>The longest closed-form end of a slide on a curved surface, s.</summary>
     /// <remarks>Above: the push changes with the position meanwhile. Below: the search takes more pieces.</remarks>
     public const double CurvedSlideEnd = 1.25e-5;
 

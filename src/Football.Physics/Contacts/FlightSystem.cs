@@ -14,6 +14,9 @@ internal struct FlightSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <summary>The nets that stay slack for the entire piece; the others stay taut. If null, the velocity decides at each instant.</summary>
+    public ulong? NetsSlack;
+
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
@@ -30,7 +33,7 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
-    public readonly double LongestPart(in Motion at) => Around.World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public readonly double LongestPart(in Motion at, in MotionRates rates) => Around.World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -49,10 +52,19 @@ internal struct FlightSystem : IMotionSystem
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
         Surroundings around = Around;
-        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, in at);
+        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
         Vector3d u = at.Velocity - around.Wind;
-        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
-        around.Air.Evaluate(in ball, branch, out AirFactors air);
+        AirFactors air;
+        if (Nets != 0 && !around.Air.Varies)
+        {
+            around.Air.EvaluateSteady(in u, in at.Spin, branch, out air);
+        }
+        else
+        {
+            var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
+            around.Air.Evaluate(in ball, branch, out air);
+        }
+
         MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);
         return Nets == 0 ? rates : new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }

@@ -27,6 +27,22 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
         return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);
     }
 
+    /// <summary>True if the ball may touch a collider other than its carrier.</summary>
+    public static bool TouchesOthers(World world, in BallState s)
+    {
+        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
+        NearThings near = At(world, s.Position, s.Time);
+        while (near.Next(out int i))
+        {
+            if (i != carrier)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>Returns the collider with the deepest overlap, except the carrier; −1 if there is none.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>

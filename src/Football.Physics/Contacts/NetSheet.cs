@@ -124,12 +124,16 @@ internal sealed class NetSheet
     }
 
     /// <summary>Returns the force on a ball in the net: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
-    public MotionRates Push(in Motion at, double side)
+    public MotionRates Push(in Motion at, double side) => Push(in at, side, Tension(in at.Velocity, side) < 0);
+
+    /// <summary>Returns the same force, on one side of its kink: without its first term if the net counts as slack, otherwise with 1 + b δ̇ of any
+    /// sign.</summary>
+    public MotionRates Push(in Motion at, double side, bool isSlack)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));
         double off = Vector3d.Dot(in at.Velocity, Normal);
         Vector3d tangential = at.Velocity - (off * Normal);
-        double normal = side * _stiffness * depth * Math.Max(0, Tension(in at.Velocity, side));
+        double normal = isSlack ? 0 : side * _stiffness * depth * Tension(in at.Velocity, side);
         return new MotionRates((normal * Normal) - ((_tangential * depth) * tangential), (-_spin * depth) * at.Spin);
     }
 }

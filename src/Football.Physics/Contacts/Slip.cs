@@ -34,6 +34,9 @@ internal readonly struct SlipDecay
     /// <summary>Time at which the slip ends, s.</summary>
     public readonly double Time;
 
+    /// <summary>k² − |c|², m²/s⁴: the rate at which the slip loses k|s| + c·s.</summary>
+    public readonly double Left;
+
     /// <summary>∫ŝ dt up to then, s.</summary>
     public readonly Vector3d Direction;
 
@@ -49,8 +52,8 @@ internal readonly struct SlipDecay
         double c = push.Length;
 
         // k|s| + c·s decreases at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
-        double left = (k * k) - (c * c);
-        Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
+        Left = (k * k) - (c * c);
+        Time = ((k * size) + Vector3d.Dot(in slip, in push)) / Left;
         Direction = (slip + (Time * push)) / k;
 
         // Compute ∫s dt. Along c, use d|s|²/dt = 2(−k|s| + c·s). Across c, use d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
@@ -59,7 +62,7 @@ internal readonly struct SlipDecay
         {
             Vector3d along = push / c;
             double alongSlip = Vector3d.Dot(in slip, in along);
-            double alongArea = 0.5 * ((0.5 * left * Time * Time) - (0.5 * size * size)) / c;
+            double alongArea = 0.5 * ((0.5 * Left * Time * Time) - (0.5 * size * size)) / c;
             Vector3d across = slip - (alongSlip * along);
             area = (alongArea * along) + (((2.0 * k * size) + (c * alongSlip)) / ((4.0 * k * k) - (c * c)) * across);
         }

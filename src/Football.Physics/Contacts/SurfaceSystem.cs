@@ -16,6 +16,10 @@ namespace FootballPhysics.Contacts;
 /// </remarks>
 internal struct SurfaceSystem : IMotionSystem
 {
+    /// <summary>The share of the distance to the singularity of the direction that a part takes, and the greatest product of length and turning rate.</summary>
+    private const double ShareOfPart = 0.6;
+    private const double TurnOfPart = 3.0;
+
     public Surroundings Around;
     public World World;
     public Collider Carrier;
@@ -26,12 +30,24 @@ internal struct SurfaceSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <summary>The nets that stay slack for the entire piece; the others stay taut. If null, the velocity decides at each instant.</summary>
+    public ulong? NetsSlack;
+
     /// <summary>True if the ball rolls; false if it slides.</summary>
     public bool Rolls;
 
     /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
     /// <remarks>Friction keeps this direction if a stage passes zero.</remarks>
     public Vector3d Direction;
+
+    /// <summary>The velocity of the carrier from which the slip or the roll of a ball in a net is measured, m/s.</summary>
+    public Vector3d Reference;
+
+    /// <summary>The part of the rate of the slip or the roll that is due to friction, m/s².</summary>
+    public double Friction;
+
+    /// <summary>The minimum length of a part, s.</summary>
+    public double ShortestPart;
 
     /// <summary>True if friction keeps <see cref="Direction"/> for the entire piece.</summary>
     /// <remarks>
@@ -47,7 +63,10 @@ internal struct SurfaceSystem : IMotionSystem
     /// evaluated.</summary>
     public bool IsFace;
 
-    /// <summary>The normal of that face.</summary>
+    /// <summary>True if <see cref="FaceNormal"/> is the normal for the entire piece, and the carrier's surface does not rotate.</summary>
+    public bool IsFlat;
+
+    /// <summary>The normal at the start of the piece.</summary>
     public Vector3d FaceNormal;
 
     /// <summary>The carrier's velocity jump at the start of the step, divided by its length, m/s².</summary>
@@ -108,7 +127,23 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+    public double LongestPart(in Motion at, in MotionRates rates)
+    {
+        double longest = World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
+        if (LocksDirection || Pinned)
+        {
+            return longest;
+        }
+
+        // In complex time, the direction of a slip s is singular at the distance |s|/|ṡ|. Friction turns it at the rate k/|s|.
+        Vector3d velocity = at.Velocity - Reference;
+        double r = World.Ball.Radius;
+        Vector3d moving = Rolls ? Tangential(in velocity, in FaceNormal) : Slip.Of(in velocity, in at.Spin, in FaceNormal, r);
+        Vector3d rate = Rolls ? Tangential(rates.Acceleration, in FaceNormal) : Slip.Of(rates.Acceleration, rates.SpinAcceleration, in FaceNormal, r);
+        double size = moving.Length;
+        Direction = size > 0 ? moving / size : Direction;
+        return Math.Min(longest, Math.Max(ShortestPart, ShareOfPart * size / Math.Max(rate.Length, Friction / TurnOfPart)));
+    }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -129,7 +164,7 @@ internal struct SurfaceSystem : IMotionSystem
     private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>n.</summary>
-    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace ? FaceNormal : Carrier.At(in position, time).Normal;
+    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace || IsFlat ? FaceNormal : Carrier.At(in position, time).Normal;
 
     /// <summary>Computes all forces except friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
@@ -137,15 +172,9 @@ internal struct SurfaceSystem : IMotionSystem
         Unsafe.SkipInit(out SurfaceForces on);
 
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
-        if (Carrier.StandingPlane is { } plane && Carrier.Spin == Vector3d.Zero)
+        if (IsFlat)
         {
-            Vector3d velocity = at.Velocity - Carrier.Velocity;
-            on.Normal = plane.Normal;
-            on.Velocity = velocity;
-            on.Rolling = velocity;
-            on.Surface = Carrier.Velocity;
-            on.Turning = on.SurfaceRate = on.MaterialRate = on.Gyration = Vector3d.Zero;
-            on.Centripetal = 0;
+            DescribeFlat(Carrier, in FaceNormal, in at, ref on);
         }
         else
         {
@@ -162,8 +191,9 @@ internal struct SurfaceSystem : IMotionSystem
 
         // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
-        double rate = !Around.Air.Varies ? Around.Air.OfLaws(in u, in at.Spin, Branch, out AirFactors air)
-            : Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out air);
+        double rate = Around.Air.Varies
+            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air)
+            : Nets != 0 ? Around.Air.EvaluateSteady(in u, in at.Spin, Branch, out air) : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
@@ -178,7 +208,7 @@ internal struct SurfaceSystem : IMotionSystem
         double pressing = 0;
         if (Nets != 0)
         {
-            MotionRates nets = World.NetForces.Push(Nets, NetSides, in at);
+            MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
             pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;
@@ -220,6 +250,20 @@ internal struct SurfaceSystem : IMotionSystem
         }
 
         on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
+    }
+
+    /// <summary>Computes the same for a plane that does not rotate.</summary>
+    private static void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = Vector3d.Zero;
+        on.Centripetal = 0;
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        on.Gyration = Vector3d.Zero;
     }
 
     /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>

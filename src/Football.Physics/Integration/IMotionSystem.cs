@@ -8,7 +8,8 @@ internal interface IMotionSystem
 
     /// <summary>Returns the longest part that <see cref="Substeps"/> may take, in s; infinite if parts are not needed.</summary>
     /// <param name="at">The motion at the start of the part.</param>
-    double LongestPart(in Motion at);
+    /// <param name="rates">Its rates.</param>
+    double LongestPart(in Motion at, in MotionRates rates);
 
     /// <summary>Moves the ball to the end of a step, including its orientation.</summary>
     /// <param name="s">The ball at the start of the step.</param>

@@ -178,6 +178,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         piece.From = stuck;
+        system.NetsSlack = _nets.SlackAt(in s, system.Acceleration);
         piece.Length = LongestPiece(in s, in stuck, in system, ref run);
         return SetMotion.Several;
     }
@@ -218,7 +219,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         double crossing = sweep.Length;
         bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s, starts);
         SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
-        _nets.EndWhereSlack(ref sweep, in s);
+        _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, default(TMethod).Order, set, out piece.Met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;

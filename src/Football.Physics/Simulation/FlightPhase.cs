@@ -168,6 +168,7 @@ internal sealed class FlightPhase<TIntegrator>
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         system.Rates(s.Time, in from, out MotionRates start);
+        system.NetsSlack = _nets.SlackAt(in s, start.Acceleration);
         run.Log.Evaluations++;
         sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
@@ -213,7 +214,7 @@ internal sealed class FlightPhase<TIntegrator>
         if (goes && s.Nets != 0)
         {
             double length = sweep.Length;
-            _nets.EndWhereSlack(ref sweep, in s);
+            _nets.EndWhereSlack(ref sweep, in s, sweep.System.NetsSlack);
             _nets.EndWhereBent(ref sweep, in s, -1);
             end.Branch = sweep.Length < length ? s.Branch : end.Branch;
         }

@@ -55,8 +55,12 @@ internal sealed class NetGuard
         return rate;
     }
 
-    /// <summary>Ends a piece when the tension 1 + b δ̇ of a net changes sign.</summary>
-    public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
+    /// <summary>Returns the nets around the ball that are slack from now on.</summary>
+    public ulong? SlackAt(in BallState s, in Vector3d acceleration) =>
+        s.Nets == 0 ? null : _world.NetForces.SlackAt(s.Nets, s.NetSides, s.Velocity, in acceleration);
+
+    /// <summary>Ends a piece when a net that was slack from its start becomes taut, or the reverse.</summary>
+    public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s, ulong? slack)
         where TSweep : struct, ISweep
     {
         for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
@@ -66,18 +70,12 @@ internal sealed class NetGuard
                 continue;
             }
 
-            // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
-            Vector3d velocity = sweep.Velocity;
-            double side = NetSheet.SideOf(s.NetSides, i);
-            double start = _world.Nets[i].Tension(s.Velocity, side);
-            double end = _world.Nets[i].Tension(in velocity, side);
-            if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
+            // The force has a kink where 1 + b δ̇ changes sign. The piece continues one branch beyond it, so its path is smooth there.
+            double sign = (slack >> i & 1) != 0 ? -1.0 : 1.0;
+            var tension = new TensionLeft<TSweep>(_world.Nets[i], NetSheet.SideOf(s.NetSides, i), sign);
+            if (tension.At(sweep.Velocity) < 0)
             {
-                // The motion is smooth up to the kink, so the rate at its start gives a better first guess than a secant across the kink.
-                double sign = start < 0 ? -1.0 : 1.0;
-                double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
-                double secant = sweep.Length * start / (start - end);
-                EventLocator.Locate(ref sweep, new TensionLeft<TSweep>(_world.Nets[i], side, sign), first < sweep.Length ? first : secant);
+                EventLocator.Locate(ref sweep, in tension, tension.FirstGuess(ref sweep, s.Velocity));
             }
         }
     }
@@ -130,10 +128,32 @@ internal sealed class NetGuard
     private readonly struct TensionLeft<TSweep>(NetSheet net, double side, double sign) : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
+        /// <summary>The number of Newton steps on the cubic.</summary>
+        private const int Guesses = 4;
+
+        /// <summary>± (1 + b δ̇), positive until the kink.</summary>
+        public double At(in Vector3d velocity) => sign * net.Tension(in velocity, side);
+
+        /// <summary>Returns the zero of the cubic through the values and rates at both ends of a sweep, s.</summary>
+        public double FirstGuess(ref TSweep sweep, in Vector3d start)
+        {
+            double h = sweep.Length;
+            double from = At(in start);
+            double to = At(sweep.Velocity);
+            var cubic = new CubicHermite(from, h * sign * net.TensionRate(sweep.StartAcceleration, side), to, h * sign * net.TensionRate(sweep.EndAcceleration(), side));
+            double x = from / (from - to);
+            for (int i = 0; i < Guesses; i++)
+            {
+                x -= cubic.At(x) / cubic.SlopeAt(x);
+            }
+
+            return x > 0 && x < 1 ? x * h : 0.5 * h;
+        }
+
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
             // A Newton step on ± (1 + b δ̇); its derivative needs the acceleration at the end.
-            value = sign * net.Tension(sweep.Velocity, side);
+            value = At(sweep.Velocity);
             bool isThere = Math.Abs(value) < ContactTolerances.NetSlack;
             double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);
             correction = rate < 0 ? -value / rate : double.NaN;

@@ -25,7 +25,7 @@ internal static class PartForces
         if (s.Nets != 0)
         {
             // A net settles at the rate λ. Apply the share 1/(1 + h λ) of its push, as an implicit step would.
-            MotionRates nets = world.NetForces.Push(s.Nets, s.NetSides, in at);
+            MotionRates nets = world.NetForces.Push(s.Nets, s.NetSides, null, in at);
             double share = 1.0 / (1.0 + (h * guard.FastestRate(in s, in at.Position)));
             acceleration += share * nets.Acceleration;
             spinAcceleration += share * nets.SpinAcceleration;

@@ -14,6 +14,9 @@ internal sealed class SlideEnd
     /// <remarks>Otherwise the slip may never end.</remarks>
     private const double LargestPush = 0.9999;
 
+    /// <summary>The share of the longest end in a net that a piece leaves to the closed form.</summary>
+    private const double NearEnd = 0.8;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly DragJumpGuard _jump;
@@ -48,8 +51,8 @@ internal sealed class SlideEnd
         Vector3d push = system.SlipPush(in on, in piece.From.Spin);
         double friction = perLoad * on.Load;
 
-        // In a net or on a curved surface, the push changes with the position: allow only a very short end.
-        double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
+        // On a curved surface, the push changes with the position: allow only a very short end.
+        double most = on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
 
         // |s| < k t: the slide may end in this piece. |c|² < k²: friction outweighs the push, so it does end.
         if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
@@ -72,12 +75,14 @@ internal sealed class SlideEnd
         double loadChange = endFriction - friction;
 
         // If the means neglect too much, take an ordinary piece first.
-        if (!(decay.Time * (change + (loadChange * loadChange)) <= ToleranceIn(run.Length) * friction * friction))
+        var mean = new SlipDecay(in slip, 0.5 * (push + endPush), 0.5 * (friction + endFriction));
+        if (s.Nets != 0 ? !IsCloseInNet(in slip, in mean, endPush - push, friction, out stop.Before)
+            : !(decay.Time * (change + (loadChange * loadChange)) <= ToleranceIn(run.Length) * friction * friction))
         {
             return false;
         }
 
-        decay = new SlipDecay(in slip, 0.5 * (push + endPush), 0.5 * (friction + endFriction));
+        decay = mean;
         double t = decay.Time;
         if (!(t > 0 && t <= longest))
         {
@@ -101,12 +106,37 @@ internal sealed class SlideEnd
         return IsFirst(in s, in system, in stop, about, in on.Normal);
     }
 
+    /// <summary>True if the means describe the end of a slip in a net, where the push changes steadily.</summary>
+    /// <remarks>
+    /// If the push changes by d, and the direction of the slip turns by θ, the time of the end is off by t d (d + k θ)/12 per k² − c².
+    /// </remarks>
+    /// <param name="slip">The slip, m/s.</param>
+    /// <param name="mean">Its decay under the means.</param>
+    /// <param name="change">d, m/s².</param>
+    /// <param name="friction">k, m/s².</param>
+    /// <param name="before">The length of a piece after which the end is close enough, s; 0 if it is now, or if the slip does not end.</param>
+    private static bool IsCloseInNet(in Vector3d slip, in SlipDecay mean, in Vector3d change, double friction, out double before)
+    {
+        double d = change.Length;
+        double turn = 2.0 * ((slip / slip.Length) - (mean.Direction / mean.Time)).Length;
+        double error = mean.Time * d * (d + (friction * turn)) / 12.0;
+        double most = ContactTolerances.NetSlideEnd * mean.Left;
+        before = error > most && most > 0 ? (1.0 - (NearEnd * Math.Sqrt(most / error))) * mean.Time : 0;
+        return error <= most;
+    }
+
     /// <summary>True if no other event comes before the end of the slip.</summary>
     private bool IsFirst(in BallState s, in SurfaceSystem system, in SlideStop stop, double about, in Vector3d normal)
     {
         // The spin about the normal ends, or the ball reaches another surface.
         if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in stop.End.Position)
             || (system.IsFace && system.Carrier.FaceMargin(in stop.End.Position, s.Time + stop.Time) < 0))
+        {
+            return false;
+        }
+
+        // A net goes slack or taut.
+        if (s.Nets != 0 && _world.NetForces.SlackAt(s.Nets, s.NetSides, stop.End.Velocity, default) != system.NetsSlack)
         {
             return false;
         }
@@ -150,6 +180,9 @@ internal struct SlideStop
 {
     /// <summary>The time until the end, s.</summary>
     public double Time;
+
+    /// <summary>If the end was not found: the length of a piece after which it can be, s; 0 if unknown.</summary>
+    public double Before;
 
     /// <summary>The motion at the end.</summary>
     public Motion End;

@@ -304,6 +304,18 @@ internal static class TurnLimit
         return closing * h > share * size ? share * size / closing : h;
     }
 
+    /// <summary>Ends a piece before a slip or a roll that closes at its present rate ends.</summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="direction">The direction.</param>
+    /// <param name="size">Size of the slip or the roll, m/s.</param>
+    /// <param name="rate">Its rate of change, m/s².</param>
+    public static double Close(double h, in Vector3d direction, double size, in Vector3d rate)
+    {
+        double growth = Math.Max(0, Vector3d.Dot(in rate, in direction));
+        double closing = Math.Sqrt(Math.Max(0, rate.LengthSquared - (growth * growth)));
+        return closing * h > LargestShare * size ? LargestShare * size / closing : h;
+    }
+
     /// <summary>Shortens a piece in which friction turns a slip or a roll back to the direction of the push faster than the integrator can
     /// follow.</summary>
     /// <remarks>

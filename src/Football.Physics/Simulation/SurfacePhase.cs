@@ -36,6 +36,9 @@ internal sealed class SurfacePhase<TIntegrator>
     /// </remarks>
     private const double Creeping = 256;
 
+    /// <summary>The shortest part of a piece in a net, as a share of the piece.</summary>
+    private const double ShortestPart = 0.02;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly StabilityLimit _limit;
@@ -105,7 +108,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private bool Propose(ref BallState s, ref StepRun run, ref SurfacePiece piece)
     {
         // First handle an immediate impact, then a contact set, which has its own phase.
-        if (!_world.IsPlaneAlone)
+        if (!_world.IsPlaneAlone && (_world.Engine is not null || s.Time < s.SqueezeUntil || NearThings.TouchesOthers(_world, in s)))
         {
             if (_guard.HitsAtOnce(ref s, ref run))
             {
@@ -167,6 +170,7 @@ internal sealed class SurfacePhase<TIntegrator>
         // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
         piece.Length = LongestPiece(in s, in piece.From, in piece.On, ref run);
         piece.Start = piece.System.RatesUnder(in piece.On, s.Time, in piece.From);
+        piece.System.NetsSlack = _nets.SlackAt(in s, piece.Start.Acceleration);
         return piece.Size < ContactTolerances.Rolling || FollowsDirection(ref s, ref run, ref piece, in moving);
     }
 
@@ -219,13 +223,24 @@ internal sealed class SurfacePhase<TIntegrator>
             : SlipRate(in piece.On, in piece.Start, in piece.From.Spin);
 
         // Near the end of a slip, its direction turns ever faster: use the closed form there.
-        if (!rolls && _endsSlipExactly && sliding > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out SlideStop stop))
+        SlideStop stop = default;
+        if (!rolls && _endsSlipExactly && sliding > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out stop))
         {
             EndSlip(ref s, ref run, in piece, in stop);
             return false;
         }
 
         double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _world.Ball.InertiaFactor));
+        if (s.Nets != 0)
+        {
+            // The parts of the piece follow the direction, so only end the piece before the slip or the roll ends.
+            system.Reference = rolls ? piece.From.Velocity - piece.On.Rolling : piece.On.Surface;
+            system.Friction = turned;
+            piece.Length = stop.Before > 0 ? Math.Min(piece.Length, stop.Before) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
+            system.ShortestPart = ShortestPart * piece.Length;
+            return true;
+        }
+
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
         h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.On.Turning == Vector3d.Zero) : h;
         piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
@@ -265,7 +280,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double crossing = sweep.Length;
         piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
-        _nets.EndWhereSlack(ref sweep, in s);
+        _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out piece.Met);
 
@@ -393,6 +408,7 @@ internal sealed class SurfacePhase<TIntegrator>
         system.Rolls = rolls;
         system.StartSpin = from.Spin;
         system.IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat;
+        system.IsFlat = (system.IsFace || (carrier.IsPlane && !carrier.Rotates)) && carrier.Spin == Vector3d.Zero;
         system.FaceNormal = at.Normal;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
     }

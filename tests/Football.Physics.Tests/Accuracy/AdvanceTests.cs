@@ -75,7 +75,7 @@ public sealed class AdvanceTests
             rates = new MotionRates(share * s_at, 0.5 * share * s_at, 5 * share);
         }
 
-        public readonly double LongestPart(in FootballPhysics.Motion at) => double.PositiveInfinity;
+        public readonly double LongestPart(in FootballPhysics.Motion at, in FootballPhysics.MotionRates rates) => double.PositiveInfinity;
 
         public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
     }

@@ -54,12 +54,55 @@ public sealed class SubstepsTests
         }
     }
 
+    /// <summary>x'' = −20² x in one step of each method: half the step leaves an error smaller by at least 2⁷ or 2⁹, the order plus one.</summary>
+    [Theory]
+    [InlineData(6, 0.05)]
+    [InlineData(8, 0.1)]
+    public void A_method_of_high_order_has_its_order(int order, double h)
+    {
+        HighOrder method = order == 6 ? HighOrder.Sixth : HighOrder.Eighth;
+        var system = new Oscillator();
+        var from = new FootballPhysics.Motion(new Vector3d(1, 0, 0), new Vector3d(7, 0, 0), Vector3d.Zero, 0);
+        system.Rates(0, in from, out MotionRates start);
+        double ErrorOf(double length)
+        {
+            method.Advance(ref system, 0, in from, in start, length, out MotionStep step);
+            return Math.Abs(Math.Cos(20 * length) + (0.35 * Math.Sin(20 * length)) - step.End.Position.X);
+        }
+
+        Assert.InRange(Math.Log2(ErrorOf(h) / ErrorOf(0.5 * h)), order + 0.5, order + 6);
+    }
+
+    /// <summary>Low shots with sidespin into a goal, in steps of 10 ms: a step took up to 322 pieces when each followed the turn of the slip.</summary>
+    [Theory]
+    [InlineData(Integrator.Rk2)]
+    [InlineData(Integrator.Rk4)]
+    public void A_step_in_a_net_takes_few_pieces(Integrator integrator)
+    {
+        var simulator = new Simulator(new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1) }] }, new SolverSettings { Integrator = integrator });
+        int slides = 0;
+        for (int i = 0; i < 24; i++)
+        {
+            BallState s = simulator.Launch(new Vector3d(0, 0.11, -10), new Vector3d(-3 + (0.25 * i), 0.05 * i, -6 - (0.5 * i)), new Vector3d(20 - (2 * i), 30 - (3 * i), 5 * (i % 5)));
+            while (s.Time < 4 && s.Motion != MotionState.Rest)
+            {
+                var log = new StepLog();
+                slides += s.Nets != 0 && s.Motion == MotionState.Sliding ? 1 : 0;
+                bool isIn = s.Nets != 0;
+                simulator.Step(ref s, 0.01, log);
+                Assert.InRange(log.Steps, 0, isIn ? 12 : 64);
+            }
+        }
+
+        Assert.InRange(slides, 50, int.MaxValue);
+    }
+
     private struct Oscillator : IMotionSystem
     {
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(-400 * at.Position.X, 6 * time, 0), new Vector3d(0, 0, 3), 5);
 
-        public readonly double LongestPart(in FootballPhysics.Motion at) => 0.02 / (1 + at.Position.Y);
+        public readonly double LongestPart(in FootballPhysics.Motion at, in FootballPhysics.MotionRates rates) => 0.02 / (1 + at.Position.Y);
 
         public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
     }
@@ -69,7 +112,7 @@ public sealed class SubstepsTests
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(at.Velocity.X * at.Velocity.X, 0, 0), Vector3d.Zero);
 
-        public readonly double LongestPart(in FootballPhysics.Motion at) => 0.1 / at.Velocity.X;
+        public readonly double LongestPart(in FootballPhysics.Motion at, in FootballPhysics.MotionRates rates) => 0.1 / at.Velocity.X;
 
         public readonly void Move(ref BallState s, in FootballPhysics.Motion from, in MotionStep step) => s.Position = step.End.Position;
     }
