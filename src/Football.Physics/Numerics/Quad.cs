@@ -40,6 +40,13 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
 
+    /// <summary>Returns the absolute values.</summary>
+    public Quad Abs
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256.Abs(_v));
+    }
+
     /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAbove(Quad other) => Vector256.GreaterThanAll(_v, other._v);
@@ -77,6 +84,9 @@ internal readonly struct Quad
     /// <summary>Loads four numbers from an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2], numbers[first + 3]);
+
+    /// <summary>Returns the absolute values.</summary>
+    public Quad Abs => new(Math.Abs(_a), Math.Abs(_b), Math.Abs(_c), Math.Abs(_d));
 
     /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

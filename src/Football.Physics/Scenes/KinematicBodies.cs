@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -21,12 +22,13 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     private readonly MovingSpheres _movers = new();
     private RigidMotion[] _kept = [];
     private bool _inUse;
-    private double _tick = double.NaN;
-    private double _before;
-    private double _inTick;
     private double _earliest = double.PositiveInfinity;
     private double _latest = double.NegativeInfinity;
+    private double _sameTime = double.NaN;
     private long _steps;
+    private long _checked;
+    private long _counted = -1;
+    private long _version;
     private bool _lookAhead;
 
     /// <summary>The number of bodies.</summary>
@@ -60,10 +62,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
                 "A body cannot be added after a Simulator was built with these bodies. Add all bodies before, and call Withdraw on those that enter later; MoveTo brings them back.");
         }
 
-        var body = new KinematicBody(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
+        var body = new KinematicBody(this, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer, _movers.Add());
         _bodies.Add(body);
         Array.Resize(ref _kept, _bodies.Count);
-        _movers.Add(body.BoundsAt(0), body.Velocity);
         return body;
     }
 
@@ -87,11 +88,27 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>A bound on the distance of any body from its expected position, in m. It only grows.</summary>
-    internal double Strayed => _before + _inTick;
+    /// <summary>The number of moves so far. Searches for bodies are valid until it changes.</summary>
+    internal long Moves { get; set; }
 
     /// <summary>A counter that changes whenever a body is moved, pushed or withdrawn. Calls without an effect do not change it.</summary>
-    internal long Version { get; private set; }
+    internal long Version
+    {
+        get
+        {
+            if (_counted != Moves)
+            {
+                _counted = Moves;
+                _version = 0;
+                foreach (KinematicBody body in _bodies)
+                {
+                    _version += body.Placement.Changes;
+                }
+            }
+
+            return _version;
+        }
+    }
 
     /// <summary>Fixes the number of bodies.</summary>
     internal void Use() => _inUse = true;
@@ -114,26 +131,19 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         return free;
     }
 
-    /// <summary>Updates the version and the broad phase after a body was moved, pushed or withdrawn.</summary>
-    /// <param name="body">The body.</param>
-    /// <param name="before">The previous motion.</param>
-    internal void Update(KinematicBody body, in RigidMotion before)
-    {
-        Version += body.Placement.Motion.IsSame(in before) ? 0 : 1;
-        if (body.IsWithdrawn)
-        {
-            _movers.Remove(body.Index);
-        }
-        else
-        {
-            _movers.Set(body.Index, body.Placement.BoundsAlways(0), body.Velocity);
-        }
-    }
-
     /// <summary>Throws if a body was moved for a time that is too far from the time of the step.</summary>
     /// <param name="time">The ball's time before the step, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void CheckTimes(double time)
+    {
+        if (_checked != Moves)
+        {
+            CheckMoves(time);
+        }
+    }
+
+    private void CheckMoves(double time)
     {
         // Networked positions can be a quarter of a second old. A body that the game did not move continues its motion.
         if (_earliest < time - Foresight || _latest > time + Foresight)
@@ -149,6 +159,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
+        _sameTime = double.NaN;
+        _checked = Moves;
         _steps++;
     }
 
@@ -165,6 +177,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
+        _sameTime = double.NaN;
         for (int i = 0; i < Count; i++)
         {
             // The game may already have moved a body for the time after the jump.
@@ -186,7 +199,24 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     }
 
     /// <summary>Records that the game moved a body for the next step.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void RecordMove(KinematicBody body, double time)
+    {
+        // Most games move all bodies for the same time.
+        Moves++;
+        if (time == _sameTime)
+        {
+            body.MovedAt = _steps;
+        }
+        else
+        {
+            RecordTime(body, time);
+        }
+    }
+
+    /// <summary>Records a move for another time than that of the move before.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void RecordTime(KinematicBody body, double time)
     {
         // A look-ahead restores the bodies afterwards, so ignore its moves.
         if (_lookAhead)
@@ -196,11 +226,16 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = Math.Min(_earliest, time);
         _latest = Math.Max(_latest, time);
+        _sameTime = time;
         body.MovedAt = _steps;
     }
 
     /// <summary>Records that the game withdrew a body, which takes effect with the next step.</summary>
-    internal void RecordWithdrawal(KinematicBody body) => body.MovedAt = _lookAhead ? body.MovedAt : _steps;
+    internal void RecordWithdrawal(KinematicBody body)
+    {
+        Moves++;
+        body.MovedAt = _lookAhead ? body.MovedAt : _steps;
+    }
 
     /// <summary>True if the game has moved a body since the last step.</summary>
     internal bool WasMoved(int body) => _bodies[body].MovedAt == _steps;
@@ -210,6 +245,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         _bodies[body].Motion = motion;
         _bodies[body].MovedAt = _steps;
+        Moves++;
     }
 
     private void RefuseTime(double now)
@@ -236,6 +272,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
 
         _lookAhead = true;
+        _sameTime = double.NaN;
     }
 
     /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
@@ -258,18 +295,5 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
             Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
             _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
-    }
-
-    /// <summary>Records how far a body strayed from its expected motion.</summary>
-    /// <param name="jump">The distance from the expected position, plus the deviation that the new velocity causes later, in m.</param>
-    /// <param name="time">The time of the move, in s.</param>
-    /// <param name="again">True if the body was moved before at this time, so that both jumps may add up.</param>
-    internal void Moved(double jump, double time, bool again)
-    {
-        // If several bodies moved at the same time, use only the largest jump.
-        bool sameTick = time == _tick;
-        _before += sameTick ? 0 : _inTick;
-        _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);
-        _tick = time;
     }
 }

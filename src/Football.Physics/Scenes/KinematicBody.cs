@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -14,21 +15,21 @@ namespace FootballPhysics;
 /// </remarks>
 public sealed class KinematicBody
 {
-    /// <summary>The jump of a body that comes into play, in m: larger than any distance, since it can appear anywhere.</summary>
-    private const double Anywhere = 4.0 * Limits.Length;
+    /// <summary>The share of a time in the sum of <see cref="TryMove"/>: half of the limit of times counts as the limit of the sum.</summary>
+    private const double TimeShare = 2.0 * Limits.Length / Limits.Time;
 
     private readonly KinematicBodies _all;
 
-    internal KinematicBody(KinematicBodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass, int layer)
+    internal KinematicBody(KinematicBodies all, string name, IShape shape, SurfaceMaterial surface, double mass, int layer, MovingLane lane)
     {
         _all = all;
-        Index = index;
         Name = name;
         Shape = shape;
         Surface = surface;
         Mass = mass;
         Layer = layer;
-        Placement = new Placement(shape.Bounds);
+        Placement = new Placement(shape.Bounds, lane);
+        Placement.Tell(in Placement.Motion);
     }
 
     /// <summary>The name used in events and messages.</summary>
@@ -48,25 +49,22 @@ public sealed class KinematicBody
     public int Layer { get; }
 
     /// <summary>The position at <see cref="Time"/>, in m. Default: the origin.</summary>
-    public Vector3d Position => Placement.Motion.Origin;
+    public Vector3d Position => Placement.Lane.Origin;
 
     /// <summary>The rotation from body to world coordinates at <see cref="Time"/>. The default is the identity.</summary>
-    public Quaterniond Orientation => Placement.Motion.Orientation;
+    public Quaterniond Orientation => Placement.Orientation;
 
     /// <summary>The velocity, in m/s. Default 0.</summary>
-    public Vector3d Velocity => Placement.Motion.Velocity;
+    public Vector3d Velocity => Placement.Lane.Velocity;
 
     /// <summary>The spin about the position, in rad/s. Default 0.</summary>
     public Vector3d Spin => Placement.Motion.Spin;
 
     /// <summary>The time of <see cref="Position"/> on the clock of the ball, in s. Default 0.</summary>
-    public double Time => Placement.Motion.Time;
+    public double Time => Placement.Lane.At;
 
     /// <summary>True while the body is out of play. Default false.</summary>
-    public bool IsWithdrawn => Placement.Motion.IsWithdrawn;
-
-    /// <summary>The index in <see cref="KinematicBodies"/>.</summary>
-    internal int Index { get; }
+    public bool IsWithdrawn => Placement.IsWithdrawn;
 
     internal Placement Placement { get; }
 
@@ -84,14 +82,20 @@ public sealed class KinematicBody
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
-        // A body that disappears cannot cause a hit that a cached search would miss.
-        _all.Update(this, in before);
+        Placement.Tell(in before);
         _all.RecordWithdrawal(this);
     }
 
     /// <summary>Sets the position and velocity, and brings the body into play. The orientation stays the same.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
-    public void MoveTo(Vector3d position, Vector3d velocity, double time) => MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void MoveTo(Vector3d position, Vector3d velocity, double time)
+    {
+        if (!TryMove(in position, in velocity, time))
+        {
+            Place(in position, Orientation, in velocity, Vector3d.Zero, time);
+        }
+    }
 
     /// <summary>Sets position, orientation, velocity and spin, and brings the body into play. Does not allocate.</summary>
     /// <param name="position">The position, in m; components within ±1e6.</param>
@@ -102,39 +106,46 @@ public sealed class KinematicBody
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
     {
+        if (!(RigidMotion.IsPlusZero(in spin) && orientation == Orientation && TryMove(in position, in velocity, time)))
+        {
+            Place(in position, in orientation, in velocity, in spin, time);
+        }
+    }
+
+    /// <summary>Stores a move of a body without spin. The rest is computed when the ball comes near, so a body far from the ball costs little.</summary>
+    /// <returns>False if the body has a spin or is out of play, or if <see cref="Place"/> must check a number.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool TryMove(in Vector3d position, in Vector3d velocity, double time)
+    {
+        // A sum within the smallest limit needs no separate checks; a NaN is not within it.
+        double sum = Math.Abs(position.X) + Math.Abs(position.Y) + Math.Abs(position.Z) + velocity.LengthSquared + (Math.Abs(time) * TimeShare);
+        if (!(sum <= Limits.Length && Placement.TryMove(in position, in velocity, time)))
+        {
+            return false;
+        }
+
+        _all.RecordMove(this, time);
+        return true;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Place(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
+    {
         Check.Place("position", position);
         Check.Rotation("orientation", orientation);
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
         Check.Size("spin", spin, Limits.Spin, "rad/s");
         Check.Within("time", time, -Limits.Time, Limits.Time);
-
-        // jump bounds the distance of any point of the body from its expected position.
         ref RigidMotion motion = ref Placement.Motion;
         RigidMotion before = motion;
-        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
-        Quaterniond expected = motion.Orientation;
-        if (motion.Rotates)
-        {
-            expected = expected.Turned((time - motion.Time) * motion.Spin);
-        }
 
         // Normalising the same orientation again might change its last bit, so keep the old value.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
-        if (turned != expected)
-        {
-            // A turn by θ moves a point at r by 2 r sin(θ/2), and |q·q₀| = cos(θ/2).
-            double cosine = (turned.X * expected.X) + (turned.Y * expected.Y) + (turned.Z * expected.Z) + (turned.W * expected.W);
-            jump += 2.0 * Placement.Reach * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
-        }
-
         if (turned != motion.Orientation)
         {
             Placement.Turn(in turned);
         }
 
-        bool again = time == motion.Time;
-        bool rotated = motion.Rotates;
-        Vector3d change = spin - motion.Spin;
         motion.Origin = position;
         motion.Pivot = position;
         motion.Velocity = velocity;
@@ -142,25 +153,19 @@ public sealed class KinematicBody
         motion.Time = time;
         motion.IsWithdrawn = false;
         motion.Rotate(Shape);
-        if ((rotated || motion.Rotates) && change != Vector3d.Zero)
-        {
-            // With a different spin, points leave their expected paths, but stay on spheres around the body's position.
-            jump += Math.Min(KinematicBodies.Foresight * change.Length, 2.0) * Placement.Reach;
-        }
 
         // Notify the broad phase and recorders last, when the new motion is complete.
-        _all.Moved(jump, time, again);
-        _all.Update(this, in before);
+        Placement.Tell(in before);
         _all.RecordMove(this, time);
     }
 
     /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
-        _all.Moved(KinematicBodies.Foresight * (velocity - Velocity).Length, time, again: true);
         RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
-        _all.Update(this, in before);
+        Placement.Tell(in before);
+        _all.Moves++;
     }
 
     /// <summary>The motion; the setter restores a saved motion and updates the broad phase.</summary>
@@ -169,23 +174,24 @@ public sealed class KinematicBody
         get => Placement.Motion;
         set
         {
-            // Compute the jump as in MoveTo, but with the largest jump that a rotation can cause.
-            double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
+            if (value.IsSame(in motion) && value.Time.Equals(motion.Time) && value.IsTurned == motion.IsTurned)
+            {
+                // Searches for bodies near the ball remain valid.
+                return;
+            }
+
             RigidMotion before = motion;
-            bool turns = value.Orientation != motion.Orientation;
-            bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);
-            _all.Moved(value.IsWithdrawn ? 0 : IsWithdrawn ? Anywhere : jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
             motion = value;
-            if (turns)
+            if (value.Orientation != before.Orientation)
             {
                 Placement.Turn(in value.Orientation);
             }
 
             // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
-
-            _all.Update(this, in before);
+            Placement.Tell(in before);
+            _all.Moves++;
         }
     }
 

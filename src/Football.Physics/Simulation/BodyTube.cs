@@ -5,12 +5,12 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>A straight tube along the ball's path that stays free of bodies for some time.</summary>
 /// <remarks>
-/// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
-/// the bodies, not with the ball: it only saves queries.
+/// No query is needed until the ball leaves the tube, or a body is moved or pushed. The tube is stored with the bodies, not with the ball:
+/// it only saves queries.
 /// </remarks>
 internal sealed class BodyTube
 {
-    /// <summary>Minimum width, m: the distance that bodies may stray from a straight path.</summary>
+    /// <summary>Minimum width, m.</summary>
     private const double LeastWidth = 0.1;
 
     private readonly KinematicBodies _bodies;
@@ -23,7 +23,7 @@ internal sealed class BodyTube
     private double _duration = -1;
     private double _width;
     private double _longestStep;
-    private double _strayed;
+    private long _moves;
 
     public BodyTube(KinematicBodies bodies, double ballRadius)
     {
@@ -34,6 +34,9 @@ internal sealed class BodyTube
     /// <summary>Returns the width of a tube for a given deviation of the ball from a straight line, m.</summary>
     public static double Width(double bend) => LeastWidth + (0.5 * bend);
 
+    /// <summary>True if no body has moved since the last search.</summary>
+    public bool IsWorthwhile => _bodies.Moves == _moves;
+
     /// <summary>True if a ball stays in the tube during a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
@@ -43,7 +46,7 @@ internal sealed class BodyTube
     public bool Holds(in BallState s, double dt, double airSpeedSquared, double spinRate)
     {
         double gone = s.Time - _time;
-        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && spinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
+        if (!(_bodies.Moves == _moves && gone >= 0 && gone + dt <= _duration && dt <= _longestStep && spinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
         {
             return false;
         }
@@ -52,7 +55,7 @@ internal sealed class BodyTube
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
-        return x + y + z + (_bodies.Strayed - _strayed) <= _width;
+        return x + y + z <= _width;
     }
 
     /// <summary>Searches for a new tube for the ball.</summary>
@@ -77,7 +80,7 @@ internal sealed class BodyTube
         _airSpeedSquared = airSpeed * airSpeed;
         _time = s.Time;
         _longestStep = longest;
-        _strayed = _bodies.Strayed;
+        _moves = _bodies.Moves;
         double free = _bodies.FreeFor(in way);
 
         // Without a spare margin, the result holds for this step only: store no tube.

@@ -180,23 +180,12 @@ internal sealed class ClearFlight
 
     /// <summary>True if no body is near in the next step.</summary>
     /// <remarks>
-    /// Only that step is checked, so the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
-    /// clear for some time.
+    /// Only that step counts, so the result does not depend on earlier queries: a tube that stays clear for some time is wider. It is not worth
+    /// its search while the game moves bodies before every step.
     /// </remarks>
-    private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)
-    {
-        if (!Renew(in s, dt, 1.0, 0, in push))
-        {
-            return false;
-        }
-
-        if (steps > 1.0)
-        {
-            Renew(in s, dt, Math.Min(steps, AheadOfBodies), BodyTube.Width(Bend(in push, dt, dt)), in push);
-        }
-
-        return true;
-    }
+    private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push) =>
+        (steps > 1.0 && _tube!.IsWorthwhile && Renew(in s, dt, Math.Min(steps, AheadOfBodies), BodyTube.Width(Bend(in push, dt, dt)), in push))
+        || Renew(in s, dt, 1.0, 0, in push);
 
     private bool Renew(in BallState s, double dt, double steps, double spare, in Push push)
     {
