@@ -18,24 +18,31 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>The longest time for which a search relies on the expected motion of a body, in s.</summary>
     internal const double Foresight = 0.25;
 
-    private readonly List<KinematicBody> _bodies = [];
+    private KinematicBody[] _bodies = [];
     private readonly MovingSpheres _movers = new();
     private RigidMotion[] _kept = [];
     private bool _inUse;
     private double _earliest = double.PositiveInfinity;
     private double _latest = double.NegativeInfinity;
-    private double _sameTime = double.NaN;
-    private long _steps;
+    private double _recorded = double.NaN;
+    private long _moves;
     private long _checked;
     private long _counted = -1;
     private long _version;
     private bool _lookAhead;
 
     /// <summary>The number of bodies.</summary>
-    public int Count => _bodies.Count;
+    public int Count => _bodies.Length;
 
     /// <inheritdoc/>
-    public KinematicBody this[int index] => _bodies[index];
+    public KinematicBody this[int index]
+    {
+        get
+        {
+            KinematicBody[] bodies = _bodies;
+            return (uint)index < (uint)bodies.Length ? bodies[index] : throw NoBody(index);
+        }
+    }
 
     /// <summary>Adds a body.</summary>
     /// <param name="name">The name used in events and messages.</param>
@@ -63,8 +70,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
 
         var body = new KinematicBody(this, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer, _movers.Add());
-        _bodies.Add(body);
-        Array.Resize(ref _kept, _bodies.Count);
+        _bodies = [.. _bodies, body];
+        _kept = new RigidMotion[Count];
         return body;
     }
 
@@ -84,19 +91,27 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     }
 
     /// <inheritdoc/>
-    public IEnumerator<KinematicBody> GetEnumerator() => _bodies.GetEnumerator();
+    public IEnumerator<KinematicBody> GetEnumerator() => ((IEnumerable<KinematicBody>)_bodies).GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>The number of moves so far. Searches for bodies are valid until it changes.</summary>
-    internal long Moves { get; set; }
+    /// <summary>A counter that changes with the first move or push after each call. Searches for bodies are valid until then.</summary>
+    internal long Moves
+    {
+        get
+        {
+            // Count the next move, too.
+            _recorded = double.NaN;
+            return _moves;
+        }
+    }
 
     /// <summary>A counter that changes whenever a body is moved, pushed or withdrawn. Calls without an effect do not change it.</summary>
     internal long Version
     {
         get
         {
-            if (_counted != Moves)
+            if (_counted != _moves)
             {
                 _counted = Moves;
                 _version = 0;
@@ -110,22 +125,24 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
+    /// <summary>Counts a push, or a motion that is restored.</summary>
+    internal void CountMove() => _moves++;
+
     /// <summary>Fixes the number of bodies.</summary>
     internal void Use() => _inUse = true;
 
     /// <summary>Returns the time for which a ball on a straight path cannot hit any body, in s; at most the duration of the path.</summary>
-    internal double FreeFor(in StraightWay way)
+    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
     {
-        double free = way.Duration;
+        double free = duration;
 
         // The broad phase tests bounding spheres; then a slab test checks each candidate's box.
-        double half = 0.5 * way.Duration;
-        double time = way.Time + half;
-        Vector3d middle = way.Middle;
-        double reach = (half * way.Velocity.Length) + way.Around;
-        for (int i = 0; _movers.Next(in middle, reach, time, half, ref i); i++)
+        double half = 0.5 * duration;
+        Vector3d middle = from + (half * velocity);
+        double reach = (half * velocity.Length) + around;
+        for (int i = 0; _movers.Next(in middle, reach, time + half, half, ref i); i++)
         {
-            free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsDuring(way.Time, way.Duration)));
+            free = Math.Min(free, _bodies[i].FreeFor(in from, in velocity, time, duration, around));
         }
 
         return free;
@@ -137,7 +154,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void CheckTimes(double time)
     {
-        if (_checked != Moves)
+        if (_checked != _moves)
         {
             CheckMoves(time);
         }
@@ -159,9 +176,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
-        _sameTime = double.NaN;
-        _checked = Moves;
-        _steps++;
+        _recorded = double.NaN;
+        _checked = _moves;
+        Steps++;
     }
 
     /// <summary>Adjusts the times of the bodies when the ball's clock jumps.</summary>
@@ -177,7 +194,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
-        _sameTime = double.NaN;
+        _recorded = double.NaN;
         for (int i = 0; i < Count; i++)
         {
             // The game may already have moved a body for the time after the jump.
@@ -198,27 +215,23 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
+    /// <summary>The number of steps with moves so far.</summary>
+    internal long Steps { get; private set; }
+
+    /// <summary>True if the last move was recorded for this time, and nothing has asked for moves since: another one needs no record.</summary>
+    internal bool IsTimeOfLast(double time) => time == _recorded;
+
     /// <summary>Records that the game moved a body for the next step.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void RecordMove(KinematicBody body, double time)
     {
-        // Most games move all bodies for the same time.
-        Moves++;
-        if (time == _sameTime)
+        if (IsTimeOfLast(time))
         {
-            body.MovedAt = _steps;
+            body.MovedAt = Steps;
+            return;
         }
-        else
-        {
-            RecordTime(body, time);
-        }
-    }
 
-    /// <summary>Records a move for another time than that of the move before.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RecordTime(KinematicBody body, double time)
-    {
-        // A look-ahead restores the bodies afterwards, so ignore its moves.
+        // A look-ahead restores the bodies afterwards, so do not record its moves.
+        _moves++;
         if (_lookAhead)
         {
             return;
@@ -226,26 +239,32 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = Math.Min(_earliest, time);
         _latest = Math.Max(_latest, time);
-        _sameTime = time;
-        body.MovedAt = _steps;
+        _recorded = time;
+        body.MovedAt = Steps;
     }
 
     /// <summary>Records that the game withdrew a body, which takes effect with the next step.</summary>
     internal void RecordWithdrawal(KinematicBody body)
     {
-        Moves++;
-        body.MovedAt = _lookAhead ? body.MovedAt : _steps;
+        _moves++;
+        body.MovedAt = _lookAhead ? body.MovedAt : Steps;
     }
 
     /// <summary>True if the game has moved a body since the last step.</summary>
-    internal bool WasMoved(int body) => _bodies[body].MovedAt == _steps;
+    internal bool WasMoved(int body) => _bodies[body].MovedAt == Steps;
 
     /// <summary>Moves a body for the next step, as if the game had done so.</summary>
     internal void Repeat(int body, in RigidMotion motion)
     {
         _bodies[body].Motion = motion;
-        _bodies[body].MovedAt = _steps;
-        Moves++;
+        _bodies[body].MovedAt = Steps;
+        _moves++;
+    }
+
+    private ArgumentOutOfRangeException NoBody(int index)
+    {
+        Check.Index(nameof(index), index, Count);
+        return new ArgumentOutOfRangeException(nameof(index));
     }
 
     private void RefuseTime(double now)
@@ -253,7 +272,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         for (int i = 0; i < Count; i++)
         {
             // Name the first body with a wrong time.
-            if (_bodies[i].MovedAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
+            if (_bodies[i].MovedAt == Steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
                     Check.Item("bodies", i) + ".time",
@@ -272,7 +291,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
 
         _lookAhead = true;
-        _sameTime = double.NaN;
+        _recorded = double.NaN;
     }
 
     /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>

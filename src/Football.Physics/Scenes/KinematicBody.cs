@@ -15,9 +15,6 @@ namespace FootballPhysics;
 /// </remarks>
 public sealed class KinematicBody
 {
-    /// <summary>The share of a time in the sum of <see cref="TryMove"/>: half of the limit of times counts as the limit of the sum.</summary>
-    private const double TimeShare = 2.0 * Limits.Length / Limits.Time;
-
     private readonly KinematicBodies _all;
 
     internal KinematicBody(KinematicBodies all, string name, IShape shape, SurfaceMaterial surface, double mass, int layer, MovingLane lane)
@@ -91,9 +88,14 @@ public sealed class KinematicBody
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void MoveTo(Vector3d position, Vector3d velocity, double time)
     {
-        if (!TryMove(in position, in velocity, time))
+        if (_all.IsTimeOfLast(time) && Placement.MayMove(in position, in velocity))
         {
-            Place(in position, Orientation, in velocity, Vector3d.Zero, time);
+            Placement.Move(in position, in velocity, time);
+            MovedAt = _all.Steps;
+        }
+        else
+        {
+            MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
         }
     }
 
@@ -104,33 +106,18 @@ public sealed class KinematicBody
     /// <param name="spin">The spin about the position, in rad/s; at most 10 000. The shape rotates with it within a step.</param>
     /// <param name="time">The time of this position: <see cref="Ball.Time"/> before the step, in s; within ±1e12. The next step throws if they differ by more than 0.25 s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    [MethodImpl(MethodImplOptions.NoInlining)] // the other overload is inlined
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
     {
-        if (!(RigidMotion.IsPlusZero(in spin) && orientation == Orientation && TryMove(in position, in velocity, time)))
+        // Most bodies have no spin. The rest is then computed when the ball comes near, so a body far from it costs little.
+        if (RigidMotion.IsPlusZero(in spin) && Placement.MayMove(in position, in velocity) && Check.IsRotation(in orientation) && Math.Abs(time) <= Limits.Time)
         {
-            Place(in position, in orientation, in velocity, in spin, time);
-        }
-    }
-
-    /// <summary>Stores a move of a body without spin. The rest is computed when the ball comes near, so a body far from the ball costs little.</summary>
-    /// <returns>False if the body has a spin or is out of play, or if <see cref="Place"/> must check a number.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool TryMove(in Vector3d position, in Vector3d velocity, double time)
-    {
-        // A sum within the smallest limit needs no separate checks; a NaN is not within it.
-        double sum = Math.Abs(position.X) + Math.Abs(position.Y) + Math.Abs(position.Z) + velocity.LengthSquared + (Math.Abs(time) * TimeShare);
-        if (!(sum <= Limits.Length && Placement.TryMove(in position, in velocity, time)))
-        {
-            return false;
+            Turn(in orientation);
+            Placement.Move(in position, in velocity, time);
+            _all.RecordMove(this, time);
+            return;
         }
 
-        _all.RecordMove(this, time);
-        return true;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Place(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
-    {
         Check.Place("position", position);
         Check.Rotation("orientation", orientation);
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
@@ -139,13 +126,7 @@ public sealed class KinematicBody
         ref RigidMotion motion = ref Placement.Motion;
         RigidMotion before = motion;
 
-        // Normalising the same orientation again might change its last bit, so keep the old value.
-        Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
-        if (turned != motion.Orientation)
-        {
-            Placement.Turn(in turned);
-        }
-
+        Turn(in orientation);
         motion.Origin = position;
         motion.Pivot = position;
         motion.Velocity = velocity;
@@ -159,13 +140,37 @@ public sealed class KinematicBody
         _all.RecordMove(this, time);
     }
 
+    private void Turn(in Quaterniond orientation)
+    {
+        // Normalising the same orientation again might change its last bit, so keep the old value.
+        if (!Placement.Has(in orientation) && orientation.Normalized() is var turned && !Placement.Has(in turned))
+        {
+            Placement.Turn(in turned);
+        }
+    }
+
+    /// <summary>Returns the time for which a ball on a straight path does not reach the box of this body, in s; infinite if it never does.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
+    {
+        // A rough sphere may have been too large: test the body again.
+        double half = 0.5 * duration;
+        if (Placement.Refine() && Placement.Lane.IsFar(from + (half * velocity), (half * velocity.Length) + around, time + half, half))
+        {
+            return double.PositiveInfinity;
+        }
+
+        var way = new StraightWay(in from, velocity - Velocity, time, duration, around);
+        return way.Meets(BoundsDuring(time, duration));
+    }
+
     /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
         RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
         Placement.Tell(in before);
-        _all.Moves++;
+        _all.CountMove();
     }
 
     /// <summary>The motion; the setter restores a saved motion and updates the broad phase.</summary>
@@ -191,7 +196,7 @@ public sealed class KinematicBody
             // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
             Placement.Tell(in before);
-            _all.Moves++;
+            _all.CountMove();
         }
     }
 

@@ -26,28 +26,49 @@ internal readonly struct MovingLane(double[] four, int lane)
     public const int CenterZ = 9 * Lanes;
     public const int Radius = 10 * Lanes;
 
+    /// <summary>True for an object that is in no broad phase.</summary>
+    public bool IsNone => four is null;
+
     /// <summary>The origin at <see cref="At"/>, in m.</summary>
-    public Vector3d Origin => new(four[lane + X], four[lane + Y], four[lane + Z]);
+    public Vector3d Origin
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Own, Unsafe.Add(ref Own, Y), Unsafe.Add(ref Own, Z));
+    }
 
     /// <summary>The velocity, in m/s.</summary>
-    public Vector3d Velocity => new(four[lane + VelocityX], four[lane + VelocityY], four[lane + VelocityZ]);
+    public Vector3d Velocity
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Unsafe.Add(ref Own, VelocityX), Unsafe.Add(ref Own, VelocityY), Unsafe.Add(ref Own, VelocityZ));
+    }
 
     /// <summary>The time of the origin, in s.</summary>
-    public double At => four[lane + Time];
+    public double At
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Unsafe.Add(ref Own, Time);
+    }
+
+    // All fields of a lane are in the array, so one check of the index is enough.
+    private ref double Own
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => ref four[lane];
+    }
 
     /// <summary>Sets the origin, the velocity and the time.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Move(in Vector3d origin, in Vector3d velocity, double time)
     {
-        // The check of the highest index covers the others.
-        Span<double> own = four.AsSpan(lane);
-        own[Time] = time;
-        own[X] = origin.X;
-        own[Y] = origin.Y;
-        own[Z] = origin.Z;
-        own[VelocityX] = velocity.X;
-        own[VelocityY] = velocity.Y;
-        own[VelocityZ] = velocity.Z;
+        ref double own = ref Own;
+        own = origin.X;
+        Unsafe.Add(ref own, Y) = origin.Y;
+        Unsafe.Add(ref own, Z) = origin.Z;
+        Unsafe.Add(ref own, VelocityX) = velocity.X;
+        Unsafe.Add(ref own, VelocityY) = velocity.Y;
+        Unsafe.Add(ref own, VelocityZ) = velocity.Z;
+        Unsafe.Add(ref own, Time) = time;
     }
 
     /// <summary>Sets the bounding sphere: that of a box.</summary>
@@ -59,6 +80,16 @@ internal readonly struct MovingLane(double[] four, int lane)
         four[lane + CenterY] = center.Y;
         four[lane + CenterZ] = center.Z;
         four[lane + Radius] = 0.5 * (box.Max - box.Min).Length;
+    }
+
+    /// <summary>Sets a sphere that contains that of the box at any rotation about the origin.</summary>
+    /// <param name="box">A bounding box relative to the origin.</param>
+    public void BoundAlways(in Bounds3d box)
+    {
+        // The box around a rotated box is less than √3 times as large.
+        Vector3d half = 0.5 * (box.Max - box.Min);
+        double reach = (0.5 * (box.Min + box.Max)).Length + (1.75 * half.Length);
+        Bound(Bounds3d.Around(Vector3d.Zero, reach, 0, 0));
     }
 
     /// <summary>Removes the object from all searches, until <see cref="Bound"/> brings it back.</summary>

@@ -27,6 +27,8 @@ internal sealed class MovingSpheres
         return new MovingLane(_fours[^1], lane);
     }
 
+    private MovingLane this[int index] => new(_fours[index / MovingLane.Lanes], index % MovingLane.Lanes);
+
     /// <summary>Finds the next candidate on a path.</summary>
     /// <param name="middle">The midpoint of the path, in m.</param>
     /// <param name="reach">The radius around the midpoint that contains the path and its margin, in m.</param>
@@ -37,16 +39,29 @@ internal sealed class MovingSpheres
     public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
     {
         // Skip groups whose four objects are all far away; test the objects of other groups one by one.
-        for (; index < _count; index++)
+        double[][] fours = _fours;
+        var atX = Quad.Of(middle.X);
+        var atY = Quad.Of(middle.Y);
+        var atZ = Quad.Of(middle.Z);
+        var reaches = Quad.Of(reach);
+        var times = Quad.Of(time);
+        var halves = Quad.Of(half);
+        for (int i = index; i < _count; i++)
         {
-            double[] four = _fours[index / MovingLane.Lanes];
-            int lane = index % MovingLane.Lanes;
-            if (lane == 0 && AreFar(four, in middle, reach, time, half))
+            if (i % MovingLane.Lanes == 0)
             {
-                index += MovingLane.Lanes - 1;
+                int group = i / MovingLane.Lanes;
+                while (group < fours.Length && AreFar(ref fours[group][0], atX, atY, atZ, reaches, times, halves))
+                {
+                    group++;
+                }
+
+                i = group * MovingLane.Lanes;
             }
-            else if (!new MovingLane(four, lane).IsFar(in middle, reach, time, half))
+
+            if (i < _count && !this[i].IsFar(in middle, reach, time, half))
             {
+                index = i;
                 return true;
             }
         }
@@ -55,18 +70,18 @@ internal sealed class MovingSpheres
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreFar(double[] four, in Vector3d middle, double reach, double time, double half)
+    private static bool AreFar(ref double four, Quad atX, Quad atY, Quad atZ, Quad reach, Quad time, Quad half)
     {
-        Quad t = Quad.Of(time) - Quad.From(four, MovingLane.Time);
-        var vx = Quad.From(four, MovingLane.VelocityX);
-        var vy = Quad.From(four, MovingLane.VelocityY);
-        var vz = Quad.From(four, MovingLane.VelocityZ);
-        Quad x = Quad.From(four, MovingLane.X) + Quad.From(four, MovingLane.CenterX) + (t * vx) - Quad.Of(middle.X);
-        Quad y = Quad.From(four, MovingLane.Y) + Quad.From(four, MovingLane.CenterY) + (t * vy) - Quad.Of(middle.Y);
-        Quad z = Quad.From(four, MovingLane.Z) + Quad.From(four, MovingLane.CenterZ) + (t * vz) - Quad.Of(middle.Z);
+        Quad t = time - Quad.From(ref four, MovingLane.Time);
+        var vx = Quad.From(ref four, MovingLane.VelocityX);
+        var vy = Quad.From(ref four, MovingLane.VelocityY);
+        var vz = Quad.From(ref four, MovingLane.VelocityZ);
+        Quad x = Quad.From(ref four, MovingLane.X) + Quad.From(ref four, MovingLane.CenterX) + (t * vx) - atX;
+        Quad y = Quad.From(ref four, MovingLane.Y) + Quad.From(ref four, MovingLane.CenterY) + (t * vy) - atY;
+        Quad z = Quad.From(ref four, MovingLane.Z) + Quad.From(ref four, MovingLane.CenterZ) + (t * vz) - atZ;
 
         // The distance that ball and object can cover from the middle of the path in half its duration. |v_x| + |v_y| + |v_z| ≥ |v| needs no root.
-        Quad near = Quad.Of(reach) + Quad.From(four, MovingLane.Radius) + (Quad.Of(half) * (vx.Abs + vy.Abs + vz.Abs));
+        Quad near = reach + Quad.From(ref four, MovingLane.Radius) + (half * (vx.Abs + vy.Abs + vz.Abs));
         return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
     }
 }

@@ -5,12 +5,16 @@ namespace FootballPhysics.Scenes;
 /// <summary>The motion of an object that the game or an impact moves, with a bounding box in its orientation.</summary>
 internal sealed class Placement
 {
+    /// <summary>The limit of a coordinate in m, which is also that of the square of a speed in m²/s².</summary>
+    private const double PlainLimit = Limits.Length < Limits.Speed * Limits.Speed ? Limits.Length : Limits.Speed * Limits.Speed;
+
     private readonly MovingLane _lane;
     private RigidMotion _motion;
     private Bounds3d _own;
     private Bounds3d _turned;
-    private bool _isPlain;
+    private double _plainLimit = -1;
     private bool _isBehind;
+    private bool _isBoxBehind;
     private long _changes;
 
     /// <summary>Creates a placement at the origin.</summary>
@@ -41,10 +45,15 @@ internal sealed class Placement
     }
 
     /// <summary>The position and velocity, without the rest of the motion.</summary>
-    public ref readonly MovingLane Lane => ref _lane;
+    public MovingLane Lane => _lane;
 
-    /// <summary>The orientation, which <see cref="TryMove"/> keeps.</summary>
+    /// <summary>The orientation, which <see cref="Move"/> keeps.</summary>
     public Quaterniond Orientation => _motion.Orientation;
+
+    /// <summary>True if it has this orientation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Has(in Quaterniond orientation) =>
+        orientation.X == _motion.Orientation.X && orientation.Y == _motion.Orientation.Y && orientation.Z == _motion.Orientation.Z && orientation.W == _motion.Orientation.W;
 
     /// <summary>True if the object is out of play.</summary>
     public bool IsWithdrawn => _motion.IsWithdrawn;
@@ -62,18 +71,18 @@ internal sealed class Placement
     /// <summary>The greatest distance of any point of the shape from its origin, in m.</summary>
     public double Reach { get; private set; }
 
-    /// <summary>Sets position and velocity of an object in play without spin; computes everything else when it is needed.</summary>
-    /// <returns>False if the object is not like this.</returns>
+    /// <summary>True if <see cref="Move"/> may set a position and velocity: the object is in play and has no spin, and both are within their limits.</summary>
+    /// <remarks>The sum is within the smallest limit only if all numbers are within theirs. A NaN is within no limit.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryMove(in Vector3d position, in Vector3d velocity, double time)
-    {
-        if (_isPlain)
-        {
-            _lane.Move(in position, in velocity, time);
-            _isBehind = true;
-        }
+    public bool MayMove(in Vector3d position, in Vector3d velocity) =>
+        Math.Abs(position.X) + Math.Abs(position.Y) + Math.Abs(position.Z) + velocity.LengthSquared <= _plainLimit;
 
-        return _isPlain;
+    /// <summary>Sets position and velocity; everything else is computed when it is needed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Move(in Vector3d position, in Vector3d velocity, double time)
+    {
+        _lane.Move(in position, in velocity, time);
+        _isBehind = true;
     }
 
     /// <summary>Completes a change of the motion: updates the broad phase.</summary>
@@ -81,28 +90,57 @@ internal sealed class Placement
     public void Tell(in RigidMotion before)
     {
         _changes += _motion.IsSame(in before) ? 0 : 1;
-        _isPlain = !_motion.IsWithdrawn && RigidMotion.IsPlusZero(in _motion.Spin);
+        _plainLimit = !_motion.IsWithdrawn && RigidMotion.IsPlusZero(in _motion.Spin) ? PlainLimit : -1;
         _lane.Move(in _motion.Origin, in _motion.Velocity, _motion.Time);
         if (_motion.IsWithdrawn)
         {
             _lane.Remove();
         }
-        else
+        else if (_motion.Rotates)
         {
             // The box at any rotation, if it moves with the object's velocity.
-            _lane.Bound(_motion.Rotates ? Swept(_motion.Time, double.PositiveInfinity).Translated(-_motion.Origin) : _turned);
+            _lane.Bound(Swept(_motion.Time, double.PositiveInfinity).Translated(-_motion.Origin));
+        }
+        else
+        {
+            BoundLane();
         }
     }
 
-    /// <summary>Sets the orientation.</summary>
+    /// <summary>Replaces the rough sphere of an object that was turned by the sphere of its box.</summary>
+    /// <returns>False if the sphere was not rough.</returns>
+    public bool Refine()
+    {
+        if (!_isBoxBehind)
+        {
+            return false;
+        }
+
+        _ = Turned;
+        if (!Motion.Rotates)
+        {
+            BoundLane();
+        }
+
+        return true;
+    }
+
+    /// <summary>Sets the orientation of an object, which differs from its last one.</summary>
     /// <param name="orientation">The new orientation, a unit quaternion.</param>
     public void Turn(in Quaterniond orientation)
     {
-        Motion.Orientation = orientation;
-        Motion.IsTurned = orientation != Quaterniond.Identity;
-
-        // Rotate the box here once; queries then only translate it.
-        _turned = Motion.Turned(in _own);
+        _motion.Orientation = orientation;
+        _motion.IsTurned = orientation != Quaterniond.Identity;
+        _isBoxBehind = true;
+        _changes++;
+        if (_lane.IsNone)
+        {
+            _ = Turned;
+        }
+        else
+        {
+            BoundLane();
+        }
     }
 
     /// <summary>Sets another shape, with the identity as its orientation.</summary>
@@ -118,10 +156,7 @@ internal sealed class Placement
     public void GoOn(in Vector3d velocity, double time)
     {
         Motion.GoOn(in velocity, time);
-        if (Motion.Rotates)
-        {
-            _turned = Motion.Turned(in _own);
-        }
+        _isBoxBehind |= Motion.Rotates;
     }
 
     /// <summary>Returns a bounding box at a time.</summary>
@@ -130,7 +165,7 @@ internal sealed class Placement
     /// <summary>Returns a box that bounds the object for a duration if the box moves with the object's velocity.</summary>
     /// <remarks>The box of a withdrawn object intersects nothing.</remarks>
     public Bounds3d BoundsDuring(double time, double duration) =>
-        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : _turned.Translated(Motion.GoneBy(time));
+        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : Turned.Translated(Motion.GoneBy(time));
 
     private Bounds3d Swept(double time, double duration)
     {
@@ -139,11 +174,38 @@ internal sealed class Placement
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;
         return swept < reach
-            ? _turned.Translated(Motion.GoneBy(time)).Expanded(swept)
+            ? Turned.Translated(Motion.GoneBy(time)).Expanded(swept)
             : Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
     }
 
-    /// <summary>Completes the motion after <see cref="TryMove"/>.</summary>
+    /// <summary>The bounding box in the current orientation, rotated once; queries then only translate it.</summary>
+    private ref readonly Bounds3d Turned
+    {
+        get
+        {
+            if (_isBoxBehind)
+            {
+                _isBoxBehind = false;
+                _turned = _motion.Turned(in _own);
+            }
+
+            return ref _turned;
+        }
+    }
+
+    private void BoundLane()
+    {
+        if (_isBoxBehind)
+        {
+            _lane.BoundAlways(in _own);
+        }
+        else
+        {
+            _lane.Bound(in _turned);
+        }
+    }
+
+    /// <summary>Completes the motion after <see cref="Move"/>.</summary>
     private void CatchUp()
     {
         RigidMotion before = _motion;

@@ -58,14 +58,26 @@ internal sealed class BodyTube
         return x + y + z <= _width;
     }
 
+    /// <summary>True if no body is near the ball in one step.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="bendOfStep">Maximum deviation from a straight line in the longest step of a tube, m.</param>
+    /// <param name="bend">Maximum deviation in this step, m.</param>
+    public bool IsFree(in BallState s, double dt, double bendOfStep, double bend)
+    {
+        // The tube may be outdated.
+        _duration = -1;
+        _moves = _bodies.Moves;
+        return dt <= _bodies.FreeFor(s.Position, s.Velocity, s.Time, dt, _ballRadius + Width(bend) + bendOfStep);
+    }
+
     /// <summary>Searches for a new tube for the ball.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="spinRate">Its spin, rad/s.</param>
     /// <param name="dt">Length of its step, s.</param>
     /// <param name="longest">Longest step for which the tube is valid, s.</param>
     /// <param name="ahead">Time to search ahead, s.</param>
-    /// <param name="spare">Extra free margin, m: as much as a query for one step needs; 0 for such a query, whose result is valid for one
-    /// step only.</param>
+    /// <param name="spare">Extra free margin, m: as much as a query for one step needs.</param>
     /// <param name="airSpeed">Air speed up to which the deviations below hold, m/s.</param>
     /// <param name="bendOfStep">Maximum deviation from a straight line in the longest step, m.</param>
     /// <param name="bend">Maximum deviation over the whole time ahead, m; typically half of it is reached.</param>
@@ -73,7 +85,6 @@ internal sealed class BodyTube
     public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double spare, double airSpeed, double bendOfStep, double bend)
     {
         _width = Width(bend);
-        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + spare + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
         _spinRate = spinRate;
@@ -81,10 +92,7 @@ internal sealed class BodyTube
         _time = s.Time;
         _longestStep = longest;
         _moves = _bodies.Moves;
-        double free = _bodies.FreeFor(in way);
-
-        // Without a spare margin, the result holds for this step only: store no tube.
-        _duration = spare > 0 ? free : -1;
-        return dt <= free;
+        _duration = _bodies.FreeFor(in _from, in _velocity, _time, ahead, _ballRadius + _width + spare + bendOfStep);
+        return dt <= _duration;
     }
 }
