@@ -112,10 +112,12 @@ public sealed class BodyTubeTests
         Assert.False(way.Renew(in ball, 0, 0.05 + 1e-6, 0.06, Ahead, spare, AirSpeed, bendOfStep, Bend));
         Assert.False(way.Holds(in ball, 0.05 + 1e-6, 0, 0));
 
-        // Without room to spare the answer is kept for no other step.
-        Assert.True(way.Renew(in ball, 0, Step, Step, Ahead, 0, AirSpeed, bendOfStep, Bend));
+        // A search for one step is good for no other one.
+        Assert.True(way.Renew(in ball, 0, Step, Step, Ahead, spare, AirSpeed, bendOfStep, Bend));
+        Assert.True(way.IsFree(in ball, Step, bendOfStep, Bend));
         Assert.False(way.Holds(in ball, Step, 0, 0));
         Assert.False(way.Holds(in ball, 0, 0, 0));
+        Assert.False(way.IsFree(in ball, 0.05 + spare, bendOfStep, Bend));
     }
 
     private static bool Holds(BodyTube tube, double time, double dt)
