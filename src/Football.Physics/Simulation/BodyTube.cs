@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
