@@ -11,7 +11,8 @@ internal sealed class BroadPhase
 
     /// <summary>Bounding spheres of the moving obstacles, which come first in <see cref="Moving"/>; bodies come last.</summary>
     private readonly MovingSpheres _movers = new();
-    private long _known;
+    private readonly MovingLane[] _lanes;
+    private long _known = -1;
 
     public BroadPhase(World world)
     {
@@ -19,6 +20,7 @@ internal sealed class BroadPhase
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
+        var lanes = new List<MovingLane>();
         for (int i = 0; i < world.Colliders.Length; i++)
         {
             Collider collider = world.Colliders[i];
@@ -36,7 +38,7 @@ internal sealed class BroadPhase
                 moving.Add(i);
                 if (!collider.IsBody)
                 {
-                    _movers.Add(collider.BoundsAt(0), collider.Velocity);
+                    lanes.Add(_movers.Add());
                 }
             }
         }
@@ -48,6 +50,7 @@ internal sealed class BroadPhase
         }
 
         Moving = moving.ToArray();
+        _lanes = lanes.ToArray();
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
         var boxes = new Bounds3d[Leaves.Length];
@@ -118,9 +121,12 @@ internal sealed class BroadPhase
         }
 
         _known = _world.Obstacles.Version;
-        for (int i = 0; i < Moving.Length && !_world.Colliders[Moving[i]].IsBody; i++)
+        for (int i = 0; i < _lanes.Length; i++)
         {
-            _movers.Set(i, _world.Colliders[Moving[i]].BoundsAt(0), _world.Colliders[Moving[i]].Velocity);
+            // A box at time 0, relative to the world's origin.
+            Collider collider = _world.Colliders[Moving[i]];
+            _lanes[i].Move(Vector3d.Zero, collider.Velocity, 0);
+            _lanes[i].Bound(collider.BoundsAt(0));
         }
     }
 

@@ -128,12 +128,18 @@ internal static class Check
 
     public static void Rotation(string field, in Quaterniond value)
     {
-        // The norm is a divisor later, so its square must be neither 0 nor infinite.
-        double size = value.LengthSquared;
-        if (!(size > 1e-200 && size < 1e200))
+        if (!IsRotation(in value))
         {
             throw Refusal(field, value.ToString(), "a finite quaternion other than zero");
         }
+    }
+
+    /// <summary>True if a quaternion can be normalized.</summary>
+    public static bool IsRotation(in Quaterniond value)
+    {
+        // The norm is a divisor later, so its square must be neither 0 nor infinite.
+        double size = value.LengthSquared;
+        return size > 1e-200 && size < 1e200;
     }
 
     /// <summary>Returns the unit vector of a direction, or throws if it has none.</summary>

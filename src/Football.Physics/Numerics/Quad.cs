@@ -36,9 +36,16 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(Vector256.Create(x));
 
-    /// <summary>Loads four numbers from an array.</summary>
+    /// <summary>Loads four numbers from memory.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quad From(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
+    public static Quad From(ref double numbers, int first) => new(Vector256.LoadUnsafe(ref numbers, (nuint)first));
+
+    /// <summary>Returns the absolute values.</summary>
+    public Quad Abs
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256.Abs(_v));
+    }
 
     /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -74,9 +81,13 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(x, x, x, x);
 
-    /// <summary>Loads four numbers from an array.</summary>
+    /// <summary>Loads four numbers from memory.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quad From(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2], numbers[first + 3]);
+    public static Quad From(ref double numbers, int first) =>
+        new(Unsafe.Add(ref numbers, first), Unsafe.Add(ref numbers, first + 1), Unsafe.Add(ref numbers, first + 2), Unsafe.Add(ref numbers, first + 3));
+
+    /// <summary>Returns the absolute values.</summary>
+    public Quad Abs => new(Math.Abs(_a), Math.Abs(_b), Math.Abs(_c), Math.Abs(_d));
 
     /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -17,23 +18,31 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>The longest time for which a search relies on the expected motion of a body, in s.</summary>
     internal const double Foresight = 0.25;
 
-    private readonly List<KinematicBody> _bodies = [];
+    private KinematicBody[] _bodies = [];
     private readonly MovingSpheres _movers = new();
     private RigidMotion[] _kept = [];
     private bool _inUse;
-    private double _tick = double.NaN;
-    private double _before;
-    private double _inTick;
     private double _earliest = double.PositiveInfinity;
     private double _latest = double.NegativeInfinity;
-    private long _steps;
+    private double _recorded = double.NaN;
+    private long _moves;
+    private long _checked;
+    private long _counted = -1;
+    private long _version;
     private bool _lookAhead;
 
     /// <summary>The number of bodies.</summary>
-    public int Count => _bodies.Count;
+    public int Count => _bodies.Length;
 
     /// <inheritdoc/>
-    public KinematicBody this[int index] => _bodies[index];
+    public KinematicBody this[int index]
+    {
+        get
+        {
+            KinematicBody[] bodies = _bodies;
+            return (uint)index < (uint)bodies.Length ? bodies[index] : throw NoBody(index);
+        }
+    }
 
     /// <summary>Adds a body.</summary>
     /// <param name="name">The name used in events and messages.</param>
@@ -60,10 +69,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
                 "A body cannot be added after a Simulator was built with these bodies. Add all bodies before, and call Withdraw on those that enter later; MoveTo brings them back.");
         }
 
-        var body = new KinematicBody(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
-        _bodies.Add(body);
-        Array.Resize(ref _kept, _bodies.Count);
-        _movers.Add(body.BoundsAt(0), body.Velocity);
+        var body = new KinematicBody(this, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer, _movers.Add());
+        _bodies = [.. _bodies, body];
+        _kept = new RigidMotion[Count];
         return body;
     }
 
@@ -83,57 +91,76 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     }
 
     /// <inheritdoc/>
-    public IEnumerator<KinematicBody> GetEnumerator() => _bodies.GetEnumerator();
+    public IEnumerator<KinematicBody> GetEnumerator() => ((IEnumerable<KinematicBody>)_bodies).GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>A bound on the distance of any body from its expected position, in m. It only grows.</summary>
-    internal double Strayed => _before + _inTick;
+    /// <summary>A counter that changes with the first move or push after each call. Searches for bodies are valid until then.</summary>
+    internal long Moves
+    {
+        get
+        {
+            // Count the next move, too.
+            _recorded = double.NaN;
+            return _moves;
+        }
+    }
 
     /// <summary>A counter that changes whenever a body is moved, pushed or withdrawn. Calls without an effect do not change it.</summary>
-    internal long Version { get; private set; }
+    internal long Version
+    {
+        get
+        {
+            if (_counted != _moves)
+            {
+                _counted = Moves;
+                _version = 0;
+                foreach (KinematicBody body in _bodies)
+                {
+                    _version += body.Placement.Changes;
+                }
+            }
+
+            return _version;
+        }
+    }
+
+    /// <summary>Counts a push, or a motion that is restored.</summary>
+    internal void CountMove() => _moves++;
 
     /// <summary>Fixes the number of bodies.</summary>
     internal void Use() => _inUse = true;
 
     /// <summary>Returns the time for which a ball on a straight path cannot hit any body, in s; at most the duration of the path.</summary>
-    internal double FreeFor(in StraightWay way)
+    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
     {
-        double free = way.Duration;
+        double free = duration;
 
         // The broad phase tests bounding spheres; then a slab test checks each candidate's box.
-        double half = 0.5 * way.Duration;
-        double time = way.Time + half;
-        Vector3d middle = way.Middle;
-        double reach = (half * way.Velocity.Length) + way.Around;
-        for (int i = 0; _movers.Next(in middle, reach, time, half, ref i); i++)
+        double half = 0.5 * duration;
+        Vector3d middle = from + (half * velocity);
+        double reach = (half * velocity.Length) + around;
+        for (int i = 0; _movers.Next(in middle, reach, time + half, half, ref i); i++)
         {
-            free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsDuring(way.Time, way.Duration)));
+            free = Math.Min(free, _bodies[i].FreeFor(in from, in velocity, time, duration, around));
         }
 
         return free;
     }
 
-    /// <summary>Updates the version and the broad phase after a body was moved, pushed or withdrawn.</summary>
-    /// <param name="body">The body.</param>
-    /// <param name="before">The previous motion.</param>
-    internal void Update(KinematicBody body, in RigidMotion before)
-    {
-        Version += body.Placement.Motion.IsSame(in before) ? 0 : 1;
-        if (body.IsWithdrawn)
-        {
-            _movers.Remove(body.Index);
-        }
-        else
-        {
-            _movers.Set(body.Index, body.Placement.BoundsAlways(0), body.Velocity);
-        }
-    }
-
     /// <summary>Throws if a body was moved for a time that is too far from the time of the step.</summary>
     /// <param name="time">The ball's time before the step, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void CheckTimes(double time)
+    {
+        if (_checked != _moves)
+        {
+            CheckMoves(time);
+        }
+    }
+
+    private void CheckMoves(double time)
     {
         // Networked positions can be a quarter of a second old. A body that the game did not move continues its motion.
         if (_earliest < time - Foresight || _latest > time + Foresight)
@@ -149,7 +176,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
-        _steps++;
+        _recorded = double.NaN;
+        _checked = _moves;
+        Steps++;
     }
 
     /// <summary>Adjusts the times of the bodies when the ball's clock jumps.</summary>
@@ -165,6 +194,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
+        _recorded = double.NaN;
         for (int i = 0; i < Count; i++)
         {
             // The game may already have moved a body for the time after the jump.
@@ -185,10 +215,23 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
+    /// <summary>The number of steps with moves so far.</summary>
+    internal long Steps { get; private set; }
+
+    /// <summary>True if the last move was recorded for this time, and nothing has asked for moves since: another one needs no record.</summary>
+    internal bool IsTimeOfLast(double time) => time == _recorded;
+
     /// <summary>Records that the game moved a body for the next step.</summary>
     internal void RecordMove(KinematicBody body, double time)
     {
-        // A look-ahead restores the bodies afterwards, so ignore its moves.
+        if (IsTimeOfLast(time))
+        {
+            body.MovedAt = Steps;
+            return;
+        }
+
+        // A look-ahead restores the bodies afterwards, so do not record its moves.
+        _moves++;
         if (_lookAhead)
         {
             return;
@@ -196,20 +239,32 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         _earliest = Math.Min(_earliest, time);
         _latest = Math.Max(_latest, time);
-        body.MovedAt = _steps;
+        _recorded = time;
+        body.MovedAt = Steps;
     }
 
     /// <summary>Records that the game withdrew a body, which takes effect with the next step.</summary>
-    internal void RecordWithdrawal(KinematicBody body) => body.MovedAt = _lookAhead ? body.MovedAt : _steps;
+    internal void RecordWithdrawal(KinematicBody body)
+    {
+        _moves++;
+        body.MovedAt = _lookAhead ? body.MovedAt : Steps;
+    }
 
     /// <summary>True if the game has moved a body since the last step.</summary>
-    internal bool WasMoved(int body) => _bodies[body].MovedAt == _steps;
+    internal bool WasMoved(int body) => _bodies[body].MovedAt == Steps;
 
     /// <summary>Moves a body for the next step, as if the game had done so.</summary>
     internal void Repeat(int body, in RigidMotion motion)
     {
         _bodies[body].Motion = motion;
-        _bodies[body].MovedAt = _steps;
+        _bodies[body].MovedAt = Steps;
+        _moves++;
+    }
+
+    private ArgumentOutOfRangeException NoBody(int index)
+    {
+        Check.Index(nameof(index), index, Count);
+        return new ArgumentOutOfRangeException(nameof(index));
     }
 
     private void RefuseTime(double now)
@@ -217,7 +272,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         for (int i = 0; i < Count; i++)
         {
             // Name the first body with a wrong time.
-            if (_bodies[i].MovedAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
+            if (_bodies[i].MovedAt == Steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
                     Check.Item("bodies", i) + ".time",
@@ -236,6 +291,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
 
         _lookAhead = true;
+        _recorded = double.NaN;
     }
 
     /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
@@ -258,18 +314,5 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
             Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
             _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
-    }
-
-    /// <summary>Records how far a body strayed from its expected motion.</summary>
-    /// <param name="jump">The distance from the expected position, plus the deviation that the new velocity causes later, in m.</param>
-    /// <param name="time">The time of the move, in s.</param>
-    /// <param name="again">True if the body was moved before at this time, so that both jumps may add up.</param>
-    internal void Moved(double jump, double time, bool again)
-    {
-        // If several bodies moved at the same time, use only the largest jump.
-        bool sameTick = time == _tick;
-        _before += sameTick ? 0 : _inTick;
-        _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);
-        _tick = time;
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -14,21 +15,18 @@ namespace FootballPhysics;
 /// </remarks>
 public sealed class KinematicBody
 {
-    /// <summary>The jump of a body that comes into play, in m: larger than any distance, since it can appear anywhere.</summary>
-    private const double Anywhere = 4.0 * Limits.Length;
-
     private readonly KinematicBodies _all;
 
-    internal KinematicBody(KinematicBodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass, int layer)
+    internal KinematicBody(KinematicBodies all, string name, IShape shape, SurfaceMaterial surface, double mass, int layer, MovingLane lane)
     {
         _all = all;
-        Index = index;
         Name = name;
         Shape = shape;
         Surface = surface;
         Mass = mass;
         Layer = layer;
-        Placement = new Placement(shape.Bounds);
+        Placement = new Placement(shape.Bounds, lane);
+        Placement.Tell(in Placement.Motion);
     }
 
     /// <summary>The name used in events and messages.</summary>
@@ -48,25 +46,22 @@ public sealed class KinematicBody
     public int Layer { get; }
 
     /// <summary>The position at <see cref="Time"/>, in m. Default: the origin.</summary>
-    public Vector3d Position => Placement.Motion.Origin;
+    public Vector3d Position => Placement.Lane.Origin;
 
     /// <summary>The rotation from body to world coordinates at <see cref="Time"/>. The default is the identity.</summary>
-    public Quaterniond Orientation => Placement.Motion.Orientation;
+    public Quaterniond Orientation => Placement.Orientation;
 
     /// <summary>The velocity, in m/s. Default 0.</summary>
-    public Vector3d Velocity => Placement.Motion.Velocity;
+    public Vector3d Velocity => Placement.Lane.Velocity;
 
     /// <summary>The spin about the position, in rad/s. Default 0.</summary>
     public Vector3d Spin => Placement.Motion.Spin;
 
     /// <summary>The time of <see cref="Position"/> on the clock of the ball, in s. Default 0.</summary>
-    public double Time => Placement.Motion.Time;
+    public double Time => Placement.Lane.At;
 
     /// <summary>True while the body is out of play. Default false.</summary>
-    public bool IsWithdrawn => Placement.Motion.IsWithdrawn;
-
-    /// <summary>The index in <see cref="KinematicBodies"/>.</summary>
-    internal int Index { get; }
+    public bool IsWithdrawn => Placement.IsWithdrawn;
 
     internal Placement Placement { get; }
 
@@ -84,14 +79,25 @@ public sealed class KinematicBody
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
-        // A body that disappears cannot cause a hit that a cached search would miss.
-        _all.Update(this, in before);
+        Placement.Tell(in before);
         _all.RecordWithdrawal(this);
     }
 
     /// <summary>Sets the position and velocity, and brings the body into play. The orientation stays the same.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
-    public void MoveTo(Vector3d position, Vector3d velocity, double time) => MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void MoveTo(Vector3d position, Vector3d velocity, double time)
+    {
+        if (_all.IsTimeOfLast(time) && Placement.MayMove(in position, in velocity))
+        {
+            Placement.Move(in position, in velocity, time);
+            MovedAt = _all.Steps;
+        }
+        else
+        {
+            MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
+        }
+    }
 
     /// <summary>Sets position, orientation, velocity and spin, and brings the body into play. Does not allocate.</summary>
     /// <param name="position">The position, in m; components within ±1e6.</param>
@@ -100,41 +106,27 @@ public sealed class KinematicBody
     /// <param name="spin">The spin about the position, in rad/s; at most 10 000. The shape rotates with it within a step.</param>
     /// <param name="time">The time of this position: <see cref="Ball.Time"/> before the step, in s; within ±1e12. The next step throws if they differ by more than 0.25 s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    [MethodImpl(MethodImplOptions.NoInlining)] // the other overload is inlined
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
     {
+        // Most bodies have no spin. The rest is then computed when the ball comes near, so a body far from it costs little.
+        if (RigidMotion.IsPlusZero(in spin) && Placement.MayMove(in position, in velocity) && Check.IsRotation(in orientation) && Math.Abs(time) <= Limits.Time)
+        {
+            Turn(in orientation);
+            Placement.Move(in position, in velocity, time);
+            _all.RecordMove(this, time);
+            return;
+        }
+
         Check.Place("position", position);
         Check.Rotation("orientation", orientation);
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
         Check.Size("spin", spin, Limits.Spin, "rad/s");
         Check.Within("time", time, -Limits.Time, Limits.Time);
-
-        // jump bounds the distance of any point of the body from its expected position.
         ref RigidMotion motion = ref Placement.Motion;
         RigidMotion before = motion;
-        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
-        Quaterniond expected = motion.Orientation;
-        if (motion.Rotates)
-        {
-            expected = expected.Turned((time - motion.Time) * motion.Spin);
-        }
 
-        // Normalising the same orientation again might change its last bit, so keep the old value.
-        Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
-        if (turned != expected)
-        {
-            // A turn by θ moves a point at r by 2 r sin(θ/2), and |q·q₀| = cos(θ/2).
-            double cosine = (turned.X * expected.X) + (turned.Y * expected.Y) + (turned.Z * expected.Z) + (turned.W * expected.W);
-            jump += 2.0 * Placement.Reach * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
-        }
-
-        if (turned != motion.Orientation)
-        {
-            Placement.Turn(in turned);
-        }
-
-        bool again = time == motion.Time;
-        bool rotated = motion.Rotates;
-        Vector3d change = spin - motion.Spin;
+        Turn(in orientation);
         motion.Origin = position;
         motion.Pivot = position;
         motion.Velocity = velocity;
@@ -142,25 +134,43 @@ public sealed class KinematicBody
         motion.Time = time;
         motion.IsWithdrawn = false;
         motion.Rotate(Shape);
-        if ((rotated || motion.Rotates) && change != Vector3d.Zero)
-        {
-            // With a different spin, points leave their expected paths, but stay on spheres around the body's position.
-            jump += Math.Min(KinematicBodies.Foresight * change.Length, 2.0) * Placement.Reach;
-        }
 
         // Notify the broad phase and recorders last, when the new motion is complete.
-        _all.Moved(jump, time, again);
-        _all.Update(this, in before);
+        Placement.Tell(in before);
         _all.RecordMove(this, time);
+    }
+
+    private void Turn(in Quaterniond orientation)
+    {
+        // Normalising the same orientation again might change its last bit, so keep the old value.
+        if (!Placement.Has(in orientation) && orientation.Normalized() is var turned && !Placement.Has(in turned))
+        {
+            Placement.Turn(in turned);
+        }
+    }
+
+    /// <summary>Returns the time for which a ball on a straight path does not reach the box of this body, in s; infinite if it never does.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
+    {
+        // A rough sphere may have been too large: test the body again.
+        double half = 0.5 * duration;
+        if (Placement.Refine() && Placement.Lane.IsFar(from + (half * velocity), (half * velocity.Length) + around, time + half, half))
+        {
+            return double.PositiveInfinity;
+        }
+
+        var way = new StraightWay(in from, velocity - Velocity, time, duration, around);
+        return way.Meets(BoundsDuring(time, duration));
     }
 
     /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
-        _all.Moved(KinematicBodies.Foresight * (velocity - Velocity).Length, time, again: true);
         RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
-        _all.Update(this, in before);
+        Placement.Tell(in before);
+        _all.CountMove();
     }
 
     /// <summary>The motion; the setter restores a saved motion and updates the broad phase.</summary>
@@ -169,23 +179,24 @@ public sealed class KinematicBody
         get => Placement.Motion;
         set
         {
-            // Compute the jump as in MoveTo, but with the largest jump that a rotation can cause.
-            double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
+            if (value.IsSame(in motion) && value.Time.Equals(motion.Time) && value.IsTurned == motion.IsTurned)
+            {
+                // Searches for bodies near the ball remain valid.
+                return;
+            }
+
             RigidMotion before = motion;
-            bool turns = value.Orientation != motion.Orientation;
-            bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);
-            _all.Moved(value.IsWithdrawn ? 0 : IsWithdrawn ? Anywhere : jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
             motion = value;
-            if (turns)
+            if (value.Orientation != before.Orientation)
             {
                 Placement.Turn(in value.Orientation);
             }
 
             // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
-
-            _all.Update(this, in before);
+            Placement.Tell(in before);
+            _all.CountMove();
         }
     }
 

@@ -6,62 +6,28 @@ namespace FootballPhysics.Scenes;
 /// <summary>The broad phase of moving objects: bounding spheres, tested four at a time with SIMD.</summary>
 internal sealed class MovingSpheres
 {
-    private const int Lanes = 4;
-    private const int Fields = 8;
-
-    // Each group contains four objects: centres, velocities, radii and speeds, each as four consecutive numbers. Unused lanes are infinitely far away.
-    private double[] _fours = [];
+    // Each array contains four objects. Unused lanes are infinitely far away.
+    private double[][] _fours = [];
     private int _count;
 
-    /// <summary>Adds an object.</summary>
-    /// <param name="box">A bounding box at time 0.</param>
-    /// <param name="velocity">The velocity, in m/s.</param>
-    public void Add(in Bounds3d box, in Vector3d velocity)
+    /// <summary>Adds an object, and returns its lane.</summary>
+    public MovingLane Add()
     {
-        if (_count % Lanes == 0)
+        int lane = _count++ % MovingLane.Lanes;
+        if (lane == 0)
         {
-            // Allocate four lanes at once; empty lanes are infinitely far away and never match.
-            int start = _fours.Length;
-            Array.Resize(ref _fours, start + (Fields * Lanes));
-            for (int lane = 0; lane < Lanes; lane++)
+            Array.Resize(ref _fours, _fours.Length + 1);
+            _fours[^1] = new double[MovingLane.Fields * MovingLane.Lanes];
+            for (int i = 0; i < MovingLane.Lanes; i++)
             {
-                _fours[start + lane] = double.PositiveInfinity;
+                new MovingLane(_fours[^1], i).Remove();
             }
         }
 
-        Set(_count++, in box, in velocity);
+        return new MovingLane(_fours[^1], lane);
     }
 
-    /// <summary>Changes the bounds and velocity of an object.</summary>
-    /// <param name="index">The index of the object.</param>
-    /// <param name="box">A bounding box at time 0.</param>
-    /// <param name="velocity">The velocity, in m/s.</param>
-    public void Set(int index, in Bounds3d box, in Vector3d velocity)
-    {
-        Vector3d center = 0.5 * (box.Min + box.Max);
-        int i = FirstOf(index);
-        _fours[i] = center.X;
-        _fours[i + Lanes] = center.Y;
-        _fours[i + (2 * Lanes)] = center.Z;
-        _fours[i + (3 * Lanes)] = velocity.X;
-        _fours[i + (4 * Lanes)] = velocity.Y;
-        _fours[i + (5 * Lanes)] = velocity.Z;
-        _fours[i + (6 * Lanes)] = 0.5 * (box.Max - box.Min).Length;
-
-        // |v_x| + |v_y| + |v_z| ≥ |v| is a bound without a square root.
-        _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
-    }
-
-    /// <summary>Removes an object by moving it infinitely far away.</summary>
-    /// <param name="index">The index of the object.</param>
-    public void Remove(int index)
-    {
-        int i = FirstOf(index);
-        for (int field = 0; field < Fields; field++)
-        {
-            _fours[i + (field * Lanes)] = field < 3 ? double.PositiveInfinity : 0;
-        }
-    }
+    private MovingLane this[int index] => new(_fours[index / MovingLane.Lanes], index % MovingLane.Lanes);
 
     /// <summary>Finds the next candidate on a path.</summary>
     /// <param name="middle">The midpoint of the path, in m.</param>
@@ -73,14 +39,29 @@ internal sealed class MovingSpheres
     public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
     {
         // Skip groups whose four objects are all far away; test the objects of other groups one by one.
-        for (; index < _count; index++)
+        double[][] fours = _fours;
+        var atX = Quad.Of(middle.X);
+        var atY = Quad.Of(middle.Y);
+        var atZ = Quad.Of(middle.Z);
+        var reaches = Quad.Of(reach);
+        var times = Quad.Of(time);
+        var halves = Quad.Of(half);
+        for (int i = index; i < _count; i++)
         {
-            if (index % Lanes == 0 && AreFar(index, in middle, reach, time, half))
+            if (i % MovingLane.Lanes == 0)
             {
-                index += Lanes - 1;
+                int group = i / MovingLane.Lanes;
+                while (group < fours.Length && AreFar(ref fours[group][0], atX, atY, atZ, reaches, times, halves))
+                {
+                    group++;
+                }
+
+                i = group * MovingLane.Lanes;
             }
-            else if (!IsFar(index, in middle, reach, time, half))
+
+            if (i < _count && !this[i].IsFar(in middle, reach, time, half))
             {
+                index = i;
                 return true;
             }
         }
@@ -88,29 +69,19 @@ internal sealed class MovingSpheres
         return false;
     }
 
-    private static int FirstOf(int index) => (index / Lanes * (Fields * Lanes)) + (index % Lanes);
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool AreFar(int first, in Vector3d middle, double reach, double time, double half)
+    private static bool AreFar(ref double four, Quad atX, Quad atY, Quad atZ, Quad reach, Quad time, Quad half)
     {
-        int i = FirstOf(first);
-        var t = Quad.Of(time);
-        Quad x = Quad.From(_fours, i) + (t * Quad.From(_fours, i + (3 * Lanes))) - Quad.Of(middle.X);
-        Quad y = Quad.From(_fours, i + Lanes) + (t * Quad.From(_fours, i + (4 * Lanes))) - Quad.Of(middle.Y);
-        Quad z = Quad.From(_fours, i + (2 * Lanes)) + (t * Quad.From(_fours, i + (5 * Lanes))) - Quad.Of(middle.Z);
+        Quad t = time - Quad.From(ref four, MovingLane.Time);
+        var vx = Quad.From(ref four, MovingLane.VelocityX);
+        var vy = Quad.From(ref four, MovingLane.VelocityY);
+        var vz = Quad.From(ref four, MovingLane.VelocityZ);
+        Quad x = Quad.From(ref four, MovingLane.X) + Quad.From(ref four, MovingLane.CenterX) + (t * vx) - atX;
+        Quad y = Quad.From(ref four, MovingLane.Y) + Quad.From(ref four, MovingLane.CenterY) + (t * vy) - atY;
+        Quad z = Quad.From(ref four, MovingLane.Z) + Quad.From(ref four, MovingLane.CenterZ) + (t * vz) - atZ;
 
-        // The distance that ball and object can cover from the middle of the path in half its duration.
-        Quad near = Quad.Of(reach) + Quad.From(_fours, i + (6 * Lanes)) + (Quad.Of(half) * Quad.From(_fours, i + (7 * Lanes)));
+        // The distance that ball and object can cover from the middle of the path in half its duration. |v_x| + |v_y| + |v_z| ≥ |v| needs no root.
+        Quad near = reach + Quad.From(ref four, MovingLane.Radius) + (half * (vx.Abs + vy.Abs + vz.Abs));
         return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
-    }
-
-    private bool IsFar(int index, in Vector3d middle, double reach, double time, double half)
-    {
-        int i = FirstOf(index);
-        double x = _fours[i] + (time * _fours[i + (3 * Lanes)]) - middle.X;
-        double y = _fours[i + Lanes] + (time * _fours[i + (4 * Lanes)]) - middle.Y;
-        double z = _fours[i + (2 * Lanes)] + (time * _fours[i + (5 * Lanes)]) - middle.Z;
-        double near = reach + _fours[i + (6 * Lanes)] + (half * _fours[i + (7 * Lanes)]);
-        return (x * x) + (y * y) + (z * z) > near * near;
     }
 }

@@ -1,36 +1,146 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics.Scenes;
 
 /// <summary>The motion of an object that the game or an impact moves, with a bounding box in its orientation.</summary>
 internal sealed class Placement
 {
-    /// <summary>The motion since the last change.</summary>
-    public RigidMotion Motion;
+    /// <summary>The limit of a coordinate in m, which is also that of the square of a speed in m²/s².</summary>
+    private const double PlainLimit = Limits.Length < Limits.Speed * Limits.Speed ? Limits.Length : Limits.Speed * Limits.Speed;
 
+    private readonly MovingLane _lane;
+    private RigidMotion _motion;
     private Bounds3d _own;
     private Bounds3d _turned;
+    private double _plainLimit = -1;
+    private bool _isBehind;
+    private bool _isBoxBehind;
+    private long _changes;
 
     /// <summary>Creates a placement at the origin.</summary>
     /// <param name="own">A bounding box of the shape, in the shape's frame.</param>
-    public Placement(in Bounds3d own)
+    /// <param name="lane">For a body of the game: its lane in the broad phase, which <see cref="Tell"/> updates.</param>
+    public Placement(in Bounds3d own, MovingLane lane = default)
     {
-        Motion.Orientation = Quaterniond.Identity;
+        _motion.Orientation = Quaterniond.Identity;
         _own = own;
         _turned = own;
+        _lane = lane;
         Reach = ReachOf(in own);
+    }
+
+    /// <summary>The motion since the last change.</summary>
+    public ref RigidMotion Motion
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            if (_isBehind)
+            {
+                CatchUp();
+            }
+
+            return ref _motion;
+        }
+    }
+
+    /// <summary>The position and velocity, without the rest of the motion.</summary>
+    public MovingLane Lane => _lane;
+
+    /// <summary>The orientation, which <see cref="Move"/> keeps.</summary>
+    public Quaterniond Orientation => _motion.Orientation;
+
+    /// <summary>True if it has this orientation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Has(in Quaterniond orientation) =>
+        orientation.X == _motion.Orientation.X && orientation.Y == _motion.Orientation.Y && orientation.Z == _motion.Orientation.Z && orientation.W == _motion.Orientation.W;
+
+    /// <summary>True if the object is out of play.</summary>
+    public bool IsWithdrawn => _motion.IsWithdrawn;
+
+    /// <summary>The number of changes of the motion that <see cref="RigidMotion.IsSame"/> sees.</summary>
+    public long Changes
+    {
+        get
+        {
+            _ = Motion;
+            return _changes;
+        }
     }
 
     /// <summary>The greatest distance of any point of the shape from its origin, in m.</summary>
     public double Reach { get; private set; }
 
-    /// <summary>Sets the orientation.</summary>
+    /// <summary>True if <see cref="Move"/> may set a position and velocity: the object is in play and has no spin, and both are within their limits.</summary>
+    /// <remarks>The sum is within the smallest limit only if all numbers are within theirs. A NaN is within no limit.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool MayMove(in Vector3d position, in Vector3d velocity) =>
+        Math.Abs(position.X) + Math.Abs(position.Y) + Math.Abs(position.Z) + velocity.LengthSquared <= _plainLimit;
+
+    /// <summary>Sets position and velocity; everything else is computed when it is needed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Move(in Vector3d position, in Vector3d velocity, double time)
+    {
+        _lane.Move(in position, in velocity, time);
+        _isBehind = true;
+    }
+
+    /// <summary>Completes a change of the motion: updates the broad phase.</summary>
+    /// <param name="before">The motion before the change.</param>
+    public void Tell(in RigidMotion before)
+    {
+        _changes += _motion.IsSame(in before) ? 0 : 1;
+        _plainLimit = !_motion.IsWithdrawn && RigidMotion.IsPlusZero(in _motion.Spin) ? PlainLimit : -1;
+        _lane.Move(in _motion.Origin, in _motion.Velocity, _motion.Time);
+        if (_motion.IsWithdrawn)
+        {
+            _lane.Remove();
+        }
+        else if (_motion.Rotates)
+        {
+            // The box at any rotation, if it moves with the object's velocity.
+            _lane.Bound(Swept(_motion.Time, double.PositiveInfinity).Translated(-_motion.Origin));
+        }
+        else
+        {
+            BoundLane();
+        }
+    }
+
+    /// <summary>Replaces the rough sphere of an object that was turned by the sphere of its box.</summary>
+    /// <returns>False if the sphere was not rough.</returns>
+    public bool Refine()
+    {
+        if (!_isBoxBehind)
+        {
+            return false;
+        }
+
+        _ = Turned;
+        if (!Motion.Rotates)
+        {
+            BoundLane();
+        }
+
+        return true;
+    }
+
+    /// <summary>Sets the orientation of an object, which differs from its last one.</summary>
     /// <param name="orientation">The new orientation, a unit quaternion.</param>
     public void Turn(in Quaterniond orientation)
     {
-        Motion.Orientation = orientation;
-        Motion.IsTurned = orientation != Quaterniond.Identity;
-
-        // Rotate the box here once; queries then only translate it.
-        _turned = Motion.Turned(in _own);
+        _motion.Orientation = orientation;
+        _motion.IsTurned = orientation != Quaterniond.Identity;
+        _isBoxBehind = true;
+        _changes++;
+        if (_lane.IsNone)
+        {
+            _ = Turned;
+        }
+        else
+        {
+            BoundLane();
+        }
     }
 
     /// <summary>Sets another shape, with the identity as its orientation.</summary>
@@ -46,10 +156,7 @@ internal sealed class Placement
     public void GoOn(in Vector3d velocity, double time)
     {
         Motion.GoOn(in velocity, time);
-        if (Motion.Rotates)
-        {
-            _turned = Motion.Turned(in _own);
-        }
+        _isBoxBehind |= Motion.Rotates;
     }
 
     /// <summary>Returns a bounding box at a time.</summary>
@@ -58,10 +165,7 @@ internal sealed class Placement
     /// <summary>Returns a box that bounds the object for a duration if the box moves with the object's velocity.</summary>
     /// <remarks>The box of a withdrawn object intersects nothing.</remarks>
     public Bounds3d BoundsDuring(double time, double duration) =>
-        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : _turned.Translated(Motion.GoneBy(time));
-
-    /// <summary>Returns a box that bounds the object at any rotation, if the box moves with the object's velocity.</summary>
-    public Bounds3d BoundsAlways(double time) => BoundsDuring(time, double.PositiveInfinity);
+        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : Turned.Translated(Motion.GoneBy(time));
 
     private Bounds3d Swept(double time, double duration)
     {
@@ -70,8 +174,47 @@ internal sealed class Placement
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;
         return swept < reach
-            ? _turned.Translated(Motion.GoneBy(time)).Expanded(swept)
+            ? Turned.Translated(Motion.GoneBy(time)).Expanded(swept)
             : Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
+    }
+
+    /// <summary>The bounding box in the current orientation, rotated once; queries then only translate it.</summary>
+    private ref readonly Bounds3d Turned
+    {
+        get
+        {
+            if (_isBoxBehind)
+            {
+                _isBoxBehind = false;
+                _turned = _motion.Turned(in _own);
+            }
+
+            return ref _turned;
+        }
+    }
+
+    private void BoundLane()
+    {
+        if (_isBoxBehind)
+        {
+            _lane.BoundAlways(in _own);
+        }
+        else
+        {
+            _lane.Bound(in _turned);
+        }
+    }
+
+    /// <summary>Completes the motion after <see cref="Move"/>.</summary>
+    private void CatchUp()
+    {
+        RigidMotion before = _motion;
+        _isBehind = false;
+        _motion.Origin = _lane.Origin;
+        _motion.Pivot = _motion.Origin;
+        _motion.Velocity = _lane.Velocity;
+        _motion.Time = _lane.At;
+        _changes += _motion.IsSame(in before) ? 0 : 1;
     }
 
     /// <summary>Returns a bound on the distance from the origin: the distance of the farthest possible corner.</summary>

@@ -143,6 +143,10 @@ internal struct RigidMotion
             Math.Abs(x.Z) + Math.Abs(y.Z) + Math.Abs(z.Z));
     }
 
+    /// <summary>True if each component is 0, and none is −0.</summary>
+    public static bool IsPlusZero(in Vector3d a) =>
+        (BitConverter.DoubleToInt64Bits(a.X) | BitConverter.DoubleToInt64Bits(a.Y) | BitConverter.DoubleToInt64Bits(a.Z)) == 0;
+
     private static bool Same(in Vector3d a, in Vector3d b) => Same(a.X, b.X) && Same(a.Y, b.Y) && Same(a.Z, b.Z);
 
     // Unlike ==, this comparison distinguishes 0 from −0, because a ball at rest on the object takes on the sign of its velocity.

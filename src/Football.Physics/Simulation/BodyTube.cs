@@ -1,16 +1,15 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
 /// <summary>A straight tube along the ball's path that stays free of bodies for some time.</summary>
 /// <remarks>
-/// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
-/// the bodies, not with the ball: it only saves queries.
+/// No query is needed until the ball leaves the tube, or a body is moved or pushed. The tube is stored with the bodies, not with the ball:
+/// it only saves queries.
 /// </remarks>
 internal sealed class BodyTube
 {
-    /// <summary>Minimum width, m: the distance that bodies may stray from a straight path.</summary>
+    /// <summary>Minimum width, m.</summary>
     private const double LeastWidth = 0.1;
 
     private readonly KinematicBodies _bodies;
@@ -23,7 +22,7 @@ internal sealed class BodyTube
     private double _duration = -1;
     private double _width;
     private double _longestStep;
-    private double _strayed;
+    private long _moves;
 
     public BodyTube(KinematicBodies bodies, double ballRadius)
     {
@@ -34,6 +33,9 @@ internal sealed class BodyTube
     /// <summary>Returns the width of a tube for a given deviation of the ball from a straight line, m.</summary>
     public static double Width(double bend) => LeastWidth + (0.5 * bend);
 
+    /// <summary>True if no body has moved since the last search.</summary>
+    public bool IsWorthwhile => _bodies.Moves == _moves;
+
     /// <summary>True if a ball stays in the tube during a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
@@ -43,7 +45,7 @@ internal sealed class BodyTube
     public bool Holds(in BallState s, double dt, double airSpeedSquared, double spinRate)
     {
         double gone = s.Time - _time;
-        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && spinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
+        if (!(_bodies.Moves == _moves && gone >= 0 && gone + dt <= _duration && dt <= _longestStep && spinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
         {
             return false;
         }
@@ -52,7 +54,20 @@ internal sealed class BodyTube
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
-        return x + y + z + (_bodies.Strayed - _strayed) <= _width;
+        return x + y + z <= _width;
+    }
+
+    /// <summary>True if no body is near the ball in one step.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="bendOfStep">Maximum deviation from a straight line in the longest step of a tube, m.</param>
+    /// <param name="bend">Maximum deviation in this step, m.</param>
+    public bool IsFree(in BallState s, double dt, double bendOfStep, double bend)
+    {
+        // The tube may be outdated.
+        _duration = -1;
+        _moves = _bodies.Moves;
+        return dt <= _bodies.FreeFor(s.Position, s.Velocity, s.Time, dt, _ballRadius + Width(bend) + bendOfStep);
     }
 
     /// <summary>Searches for a new tube for the ball.</summary>
@@ -61,8 +76,7 @@ internal sealed class BodyTube
     /// <param name="dt">Length of its step, s.</param>
     /// <param name="longest">Longest step for which the tube is valid, s.</param>
     /// <param name="ahead">Time to search ahead, s.</param>
-    /// <param name="spare">Extra free margin, m: as much as a query for one step needs; 0 for such a query, whose result is valid for one
-    /// step only.</param>
+    /// <param name="spare">Extra free margin, m: as much as a query for one step needs.</param>
     /// <param name="airSpeed">Air speed up to which the deviations below hold, m/s.</param>
     /// <param name="bendOfStep">Maximum deviation from a straight line in the longest step, m.</param>
     /// <param name="bend">Maximum deviation over the whole time ahead, m; typically half of it is reached.</param>
@@ -70,18 +84,14 @@ internal sealed class BodyTube
     public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double spare, double airSpeed, double bendOfStep, double bend)
     {
         _width = Width(bend);
-        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + spare + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
         _spinRate = spinRate;
         _airSpeedSquared = airSpeed * airSpeed;
         _time = s.Time;
         _longestStep = longest;
-        _strayed = _bodies.Strayed;
-        double free = _bodies.FreeFor(in way);
-
-        // Without a spare margin, the result holds for this step only: store no tube.
-        _duration = spare > 0 ? free : -1;
-        return dt <= free;
+        _moves = _bodies.Moves;
+        _duration = _bodies.FreeFor(in _from, in _velocity, _time, ahead, _ballRadius + _width + spare + bendOfStep);
+        return dt <= _duration;
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
 
@@ -15,9 +16,6 @@ internal sealed class ClearFlight
 
     /// <summary>Number of steps to look ahead if the longer path is not clear: fewer steps need a narrower margin.</summary>
     private const double Nearer = 4;
-
-    /// <summary>Number of steps to look ahead for bodies, whose motion may change.</summary>
-    private const double AheadOfBodies = 24;
 
     /// <summary>The steps of a display vary in length: a result for bodies is valid for steps up to this many times as long.</summary>
     private const double LongestStep = 2;
@@ -105,6 +103,16 @@ internal sealed class ClearFlight
     /// <param name="friction">Factor by which friction increases the acceleration: 1 in the air, 1 + μ on a surface.</param>
     public bool Holds(ref BallState s, double dt, double airSpeedSquared, double spinRate, double friction = 1.0)
     {
+        // Use the clear time stored in the state. It excludes bodies, which may change their motion; the tube covers them.
+        bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
+        return (isKnown && _world.Engine is null && (_tube is null || _tube.Holds(in s, dt, airSpeedSquared, spinRate)))
+            || IsFree(ref s, dt, isKnown, airSpeedSquared, spinRate, friction);
+    }
+
+    /// <summary>True if the next step reaches no object, by new queries.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool IsFree(ref BallState s, double dt, bool isKnown, double airSpeedSquared, double spinRate, double friction)
+    {
         var push = new Push(airSpeedSquared, spinRate, friction);
 
         // An engine may move its colliders between steps: query it in every step.
@@ -117,9 +125,7 @@ internal sealed class ClearFlight
             }
         }
 
-        // Use the clear time stored in the state. It excludes bodies, which may change their motion; the tube covers them.
-        bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
-        if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
+        if (isKnown && _tube is null)
         {
             return true;
         }
@@ -180,30 +186,24 @@ internal sealed class ClearFlight
 
     /// <summary>True if no body is near in the next step.</summary>
     /// <remarks>
-    /// Only that step is checked, so the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
-    /// clear for some time.
+    /// Only that step counts, so the result does not depend on earlier queries: a tube that stays clear for some time is wider. It is not worth
+    /// its search while the game moves bodies before every step.
     /// </remarks>
     private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)
     {
-        if (!Renew(in s, dt, 1.0, 0, in push))
-        {
-            return false;
-        }
-
-        if (steps > 1.0)
-        {
-            Renew(in s, dt, Math.Min(steps, AheadOfBodies), BodyTube.Width(Bend(in push, dt, dt)), in push);
-        }
-
-        return true;
-    }
-
-    private bool Renew(in BallState s, double dt, double steps, double spare, in Push push)
-    {
-        double ahead = Math.Min(steps * dt, Math.Max(dt, KinematicBodies.Foresight));
+        double bend = Bend(in push, dt, dt);
         double longest = LongestStep * dt;
-        return _tube!.Renew(
-            in s, push.SpinRate, dt, longest, ahead, spare, SpeedLater(in push, ahead), Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead));
+        if (steps > 1.0 && _tube!.IsWorthwhile)
+        {
+            double ahead = Math.Min(steps * dt, Math.Max(dt, KinematicBodies.Foresight));
+            double airSpeed = SpeedLater(in push, ahead);
+            if (_tube.Renew(in s, push.SpinRate, dt, longest, ahead, BodyTube.Width(bend), airSpeed, Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead)))
+            {
+                return true;
+            }
+        }
+
+        return _tube!.IsFree(in s, dt, Bend(in push, dt + longest, longest), bend);
     }
 
     /// <summary>Bounds the distance of the ball from a straight line, m: c a t², which is ½ a t² for most integrators.</summary>

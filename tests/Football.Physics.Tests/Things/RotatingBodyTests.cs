@@ -237,31 +237,6 @@ public sealed class RotatingBodyTests
         Assert.Equal(new Vector3d(0, 20, 0), bat.Spin);
     }
 
-    /// <summary>A body that is placed where its rotation leads has not strayed; one that is not has, by as much as its points are off.</summary>
-    [Fact]
-    public void What_is_placed_where_its_rotation_leads_has_not_strayed()
-    {
-        var bodies = new KinematicBodies();
-        KinematicBody body = bodies.Add("thing", Leg(10).Shape);
-        Hinged leg = Leg(10) with { Velocity = new Vector3d(1, 0, 2) };
-        leg.Place(body, 0);
-        double before = bodies.Strayed;
-        for (int i = 1; i <= 10; i++)
-        {
-            leg.Place(body, i / 60.0);
-        }
-
-        Assert.InRange(bodies.Strayed - before, 0, 1e-5);
-        before = bodies.Strayed;
-        (leg with { Start = leg.Start + 0.3 }).Place(body, 11 / 60.0);
-        Assert.InRange(bodies.Strayed - before, 2 * 0.85 * Math.Sin(0.15), 0.5);
-
-        // It stops: until the next time that it is looked at, its points are where they would not have been.
-        before = bodies.Strayed;
-        (leg with { Start = leg.Start + 0.3 + (10 * 12 / 60.0), Rate = 0 }).Place(body, 12 / 60.0);
-        Assert.InRange(bodies.Strayed - before, 2 * 0.85 * Math.Sin(1.25), 3);
-    }
-
     /// <summary>Bodies that rotate far from the ball, and look-aheads long after they were placed: the tube sees the whole circle.</summary>
     [Theory]
     [InlineData(0.5)]
