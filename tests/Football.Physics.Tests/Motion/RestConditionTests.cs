@@ -22,6 +22,32 @@ public sealed class RestConditionTests
         As_after_a_kick(way, On(Tilted(44)), 120, null);
     }
 
+    /// <summary>A stored state can be at rest where nothing holds the ball. Beside bodies, which may wake a ball, it then leaves.</summary>
+    [Theory]
+    [InlineData("slope")]
+    [InlineData("ice")]
+    [InlineData("held")]
+    public void At_rest_where_nothing_holds_it_it_leaves(string where)
+    {
+        SurfaceMaterial grass = SurfaceMaterial.DryTurf with { RollingResistance = 0.1 };
+        var patch = new SurfaceRectangles((new Vector3d(5, -9, -9), new Vector3d(20, 9, 9), grass with { RollingResistance = 0.001 }));
+        var bodies = new KinematicBodies();
+        bodies.Add("player", new SphereShape(Vector3d.Zero, 0.3)).MoveTo(new Vector3d(-50, 9, 0), Vector3d.Zero, 0);
+        Scene scene = On(Tilted(where == "slope" ? 30 : 2)) with { Bodies = bodies };
+        var simulator = new Simulator(scene with { Ground = scene.Ground with { Material = grass, Pattern = where == "ice" ? patch : null } });
+        Vector3d n = Tilted(where == "slope" ? 30 : 2).Normalized();
+        BallState ball = simulator.Launch((simulator.Scene.Ball.Radius * n) + (where == "ice" ? new Vector3d(10, -10 * n.X / n.Y, 0) : Vector3d.Zero), Vector3d.Zero, Vector3d.Zero);
+        ball.Motion = MotionState.Rest;
+        Vector3d start = ball.Position;
+        for (int i = 0; i < 30; i++)
+        {
+            simulator.Step(ref ball, Frame, new StepLog());
+        }
+
+        Assert.Equal(where != "held", (ball.Position - start).Length > 0.01);
+        Assert.Equal(0, Vector3d.Dot(ball.Position - start, n), 1e-9);
+    }
+
     [Theory]
     [InlineData(8, 2.81)]
     [InlineData(15, 13.18)]

@@ -73,7 +73,26 @@ public sealed class ClusterTests
         });
     }
 
-    private static (BallState[] States, StepLog Log) Turned(double rate, double step)
+    /// <summary>With each method, shorter steps halve the error by its order, and a step has one evaluation more than the method has stages.</summary>
+    [Theory]
+    [InlineData(Integrator.Euler, 1, 2)]
+    [InlineData(Integrator.SemiImplicitEuler, 1, 2)]
+    [InlineData(Integrator.Rk2, 2, 3)]
+    public void Whole_steps_of_every_method_converge(Integrator integrator, int order, int evaluations)
+    {
+        (BallState[] exact, _) = Turned(2, 0.00125);
+        double[] errors = [.. new[] { 0.01, 0.005 }.Select(step =>
+        {
+            (BallState[] states, StepLog log) = Turned(2, step, integrator);
+            Assert.Equal(2 * Math.Round(0.2 / step), log.Steps);
+            Assert.Equal(evaluations * log.Steps, log.Evaluations);
+            return Math.Max((states[0].Position - exact[0].Position).Length, (states[1].Position - exact[1].Position).Length);
+        })];
+        Assert.InRange(errors[0], 0, order == 1 ? 5e-3 : 1e-4);
+        Assert.InRange(errors[0] / errors[1], 0.8 * Math.Pow(2, order), 1.3 * Math.Pow(2, order));
+    }
+
+    private static (BallState[] States, StepLog Log) Turned(double rate, double step, Integrator integrator = Integrator.Rk4)
     {
         BallProperties hollow = BallProperties.Tunnel with { InertiaFactor = 2 / 3.0 };
         BallProperties solid = BallProperties.Tunnel with { InertiaFactor = 0.4, Mass = 0.6 };
@@ -87,7 +106,7 @@ public sealed class ClusterTests
             Ground = Ground.None,
             Obstacles = [new Obstacle { Name = "table", Shape = new PlaneShape(Vector3d.Zero, s_normal), Surface = felt, Spin = turning }],
         };
-        var group = new BallGroup(scene, [hollow, solid], null, SurfaceMaterial.Ball with { ImpactFriction = 0 });
+        var group = new BallGroup(scene, [hollow, solid], new SolverSettings { Integrator = integrator }, SurfaceMaterial.Ball with { ImpactFriction = 0 });
         Vector3d velocity = 1.0 * s_down;
         BallState[] states = [.. Enumerable.Range(0, 2).Select(i =>
         {

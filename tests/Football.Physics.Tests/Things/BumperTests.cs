@@ -57,6 +57,17 @@ public sealed class BumperTests
         Assert.True(hit.AddedEnergy > 1);
     }
 
+    /// <summary>The speeds are relative to a bumper that moves without a mass.</summary>
+    [Theory]
+    [InlineData(3)]
+    [InlineData(-2)]
+    public void A_bumper_that_moves_adds_energy_in_its_own_frame(double coming)
+    {
+        BallEvent hit = Hit(Against(s_plain with { MinimumExitSpeed = 9 }, velocity: new Vector3d(0, 0, coming)), new Vector3d(0, 0, -5));
+        Assert.Equal(9 + coming, hit.Velocity.Z, 12);
+        Assert.Equal(0.5 * 0.43 * (81 - ((5 + coming) * (5 + coming))), hit.AddedEnergy, 9);
+    }
+
     /// <summary>Between two bumpers the ball gains speed up to a bound, and stays finite.</summary>
     [Fact]
     public void Two_bumpers_make_no_ball_faster_than_1000_metres_a_second()

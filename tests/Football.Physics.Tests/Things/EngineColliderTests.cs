@@ -59,7 +59,7 @@ public sealed class EngineColliderTests
         var engine = new ShapesAsEngine();
         engine.Add("left", new PlaneShape(Vector3d.Zero, new Vector3d(1, 0, 0)));
         engine.Add("right", new PlaneShape(new Vector3d(0.3, 0, 0), new Vector3d(-1, 0, 0)));
-        var simulator = new Simulator(Scene.Vacuum with { EngineColliders = engine, Ground = Ground.None, Gravity = 0 }, s_rk4);
+        var simulator = new Simulator(new Scene { EngineColliders = engine, Ground = Ground.None, Gravity = 0, Forces = ForceSet.None }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0.15, 0, 0), new Vector3d(40, 0, 0), Vector3d.Zero);
         var log = new StepLog(4, 32);
         while (log.Events.Dropped < 20)
