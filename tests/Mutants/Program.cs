@@ -117,7 +117,7 @@ foreach (string room in rooms)
 
 return enough ? 0 : 1;
 
-string? Reason(int i) => equivalents.ReasonOf(sample.Mutants[i].Mutant);
+string? Reason(int i) => equivalents.ReasonOf(sample.Mutants[i].Name);
 
 string Line(int i) => $"{ends[i],-11} {sample.Mutants[i].Mutant.Place}  {sample.Mutants[i].Mutant.What}";
 

@@ -44,8 +44,8 @@ internal sealed record Sample(IReadOnlyList<(string Room, Mutant Mutant, string 
             Mutant[] all = [.. trees.Where(tree => tree.FilePath == path || tree.FilePath.StartsWith(path + "/", StringComparison.Ordinal))
                 .SelectMany(tree => Mutator.Of(tree.FilePath, tree.GetRoot(), compilation.GetSemanticModel(tree)))];
             Console.WriteLine($"{room}: {all.Length} mutants");
-            equivalents.RequireThatAllExist(room, all);
             string[] names = Names(all);
+            equivalents.RequireThatAllExist(room, names);
             draws.AddRange(seeds.Select(seed => (room, new Queue<(Mutant, string)>(all.Zip(names).OrderBy(at => Rank(seed, at.Second))))));
         }
 
