@@ -74,6 +74,7 @@ internal sealed unsafe class HighOrder
         stages[0].Velocity = from.Velocity;
         stages[0].Rates = start;
         double[] weights = _weights;
+        int count = Stages;
         int next = 0;
         Motion at = from;
         for (int i = 1; ; i++)
@@ -94,7 +95,7 @@ internal sealed unsafe class HighOrder
             }
 
             at = new Motion(from.Position + velocity, from.Velocity + acceleration, from.Spin + spinAcceleration, from.AirDistance + airSpeed);
-            if (i == Stages)
+            if (i == count)
             {
                 break;
             }
@@ -104,7 +105,7 @@ internal sealed unsafe class HighOrder
         }
 
         // The spin at the middle, from the cubic through both ends, because the last stage is at the end.
-        Vector3d middle = (0.5 * (from.Spin + at.Spin)) + (0.125 * h * (start.SpinAcceleration - stages[Stages - 1].Rates.SpinAcceleration));
+        Vector3d middle = (0.5 * (from.Spin + at.Spin)) + (0.125 * h * (start.SpinAcceleration - stages[count - 1].Rates.SpinAcceleration));
         step.End = at;
         step.Rotation = RotationVector.Of(in from.Spin, in middle, in at.Spin, h);
         step.StartRates = start;
