@@ -218,7 +218,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>The number of steps with moves so far.</summary>
     internal long Steps { get; private set; }
 
-    /// <summary>True if the last move was recorded for this time, and nothing has asked for moves since: another one needs no record.</summary>
+    /// <summary>True if the last move was recorded for this time, and nothing has read the counter of moves since, so that another move needs no record.</summary>
     internal bool IsTimeOfLast(double time) => time == _recorded;
 
     /// <summary>Records that the game moved a body for the next step.</summary>

@@ -26,7 +26,7 @@ public sealed class KinematicBody
         Mass = mass;
         Layer = layer;
         Placement = new Placement(shape.Bounds, lane);
-        Placement.Tell(in Placement.Motion);
+        Placement.Complete(in Placement.Motion);
     }
 
     /// <summary>The name used in events and messages.</summary>
@@ -79,7 +79,7 @@ public sealed class KinematicBody
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
-        Placement.Tell(in before);
+        Placement.Complete(in before);
         _all.RecordWithdrawal(this);
     }
 
@@ -136,7 +136,7 @@ public sealed class KinematicBody
         motion.Rotate(Shape);
 
         // Notify the broad phase and recorders last, when the new motion is complete.
-        Placement.Tell(in before);
+        Placement.Complete(in before);
         _all.RecordMove(this, time);
     }
 
@@ -169,7 +169,7 @@ public sealed class KinematicBody
     {
         RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
-        Placement.Tell(in before);
+        Placement.Complete(in before);
         _all.CountMove();
     }
 
@@ -195,7 +195,7 @@ public sealed class KinematicBody
 
             // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
-            Placement.Tell(in before);
+            Placement.Complete(in before);
             _all.CountMove();
         }
     }

@@ -19,7 +19,7 @@ internal sealed class Placement
 
     /// <summary>Creates a placement at the origin.</summary>
     /// <param name="own">A bounding box of the shape, in the shape's frame.</param>
-    /// <param name="lane">For a body of the game: its lane in the broad phase, which <see cref="Tell"/> updates.</param>
+    /// <param name="lane">For a body of the game: its lane in the broad phase, which <see cref="Complete"/> updates.</param>
     public Placement(in Bounds3d own, MovingLane lane = default)
     {
         _motion.Orientation = Quaterniond.Identity;
@@ -87,7 +87,7 @@ internal sealed class Placement
 
     /// <summary>Completes a change of the motion: updates the broad phase.</summary>
     /// <param name="before">The motion before the change.</param>
-    public void Tell(in RigidMotion before)
+    public void Complete(in RigidMotion before)
     {
         _changes += _motion.IsSame(in before) ? 0 : 1;
         _plainLimit = !_motion.IsWithdrawn && RigidMotion.IsPlusZero(in _motion.Spin) ? PlainLimit : -1;

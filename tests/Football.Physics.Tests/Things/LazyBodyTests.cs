@@ -4,7 +4,7 @@ using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Things;
 
-/// <summary>What a moved body needs is computed only when the ball may reach it. Nothing may tell when that is.</summary>
+/// <summary>What a moved body needs is computed only when the ball may reach it. No result depends on when that is.</summary>
 public sealed class LazyBodyTests
 {
     private const int Count = 9;
@@ -25,7 +25,7 @@ public sealed class LazyBodyTests
             {
                 lazy.Play(tick);
                 read.Play(tick);
-                Assert.Equal(read.Told, lazy.Told);
+                Assert.Equal(read.Seen, lazy.Seen);
                 events += lazy.Events;
             }
         }
@@ -149,7 +149,7 @@ public sealed class LazyBodyTests
 
         public Simulator Simulator { get; }
 
-        public string Told { get; private set; } = "";
+        public string Seen { get; private set; } = "";
 
         public int Events => _log.Events.Count;
 
@@ -170,7 +170,7 @@ public sealed class LazyBodyTests
 
             _log.Clear();
             Simulator.Step(ref _state, 0.01, _log);
-            Told = $"{Convert.ToHexString(MemoryMarshal.AsBytes(new ReadOnlySpan<BallState>(in _state)))} {_path.EndTime:R} {_path.Final.Position} {string.Join(' ', _log.Events.Span.ToArray().Select(item => $"{item.Time:R} {item.ColliderIndex}"))}"
+            Seen = $"{Convert.ToHexString(MemoryMarshal.AsBytes(new ReadOnlySpan<BallState>(in _state)))} {_path.EndTime:R} {_path.Final.Position} {string.Join(' ', _log.Events.Span.ToArray().Select(item => $"{item.Time:R} {item.ColliderIndex}"))}"
                 + (tick % 10 < 9 ? "" : string.Concat(Bodies.Select(body => $"{body.Position} {body.Velocity} {body.Orientation} {body.Spin} {body.Time:R} {body.IsWithdrawn}")));
         }
 
