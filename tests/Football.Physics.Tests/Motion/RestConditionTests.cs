@@ -39,6 +39,11 @@ public sealed class RestConditionTests
         BallState ball = simulator.Launch((simulator.Scene.Ball.Radius * n) + (where == "ice" ? new Vector3d(10, -10 * n.X / n.Y, 0) : Vector3d.Zero), Vector3d.Zero, Vector3d.Zero);
         ball.Motion = MotionState.Rest;
         Vector3d start = ball.Position;
+
+        // Another ball that grass holds must not decide about this one.
+        BallState other = ball;
+        other.Position = simulator.Scene.Ball.Radius * n;
+        simulator.Step(ref other, Frame, new StepLog());
         for (int i = 0; i < 30; i++)
         {
             simulator.Step(ref ball, Frame, new StepLog());

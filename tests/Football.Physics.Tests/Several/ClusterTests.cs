@@ -92,6 +92,29 @@ public sealed class ClusterTests
         Assert.InRange(errors[0] / errors[1], 0.8 * Math.Pow(2, order), 1.3 * Math.Pow(2, order));
     }
 
+    /// <summary>Explicit Euler turns the balls with their spins at the start of a step, the semi-implicit form with the new ones. The clock is that of the step.</summary>
+    [Theory]
+    [InlineData(Integrator.Euler, true)]
+    [InlineData(Integrator.SemiImplicitEuler, false)]
+    public void Methods_of_order_one_turn_the_balls_by_one_spin(Integrator integrator, bool isOfStart)
+    {
+        (BallState[] start, _) = Turned(2, 1, integrator);
+        (BallState[] after, _) = Turned(2, 0.2, integrator);
+        for (int i = 0; i < 2; i++)
+        {
+            double byStart = Cosine(after[i].Orientation, start[i].Spin);
+            double byEnd = Cosine(after[i].Orientation, after[i].Spin);
+            Assert.InRange(isOfStart ? byStart : byEnd, isOfStart ? 1 - 1e-9 : byStart + 1e-4, 1 + 1e-9);
+            Assert.Equal(0.2, after[i].Time, 1e-12);
+        }
+
+        static double Cosine(Quaterniond at, Vector3d spin)
+        {
+            var turn = Quaterniond.FromAxisAngle(spin.Normalized(), 0.2 * spin.Length);
+            return Math.Abs((turn.X * at.X) + (turn.Y * at.Y) + (turn.Z * at.Z) + (turn.W * at.W));
+        }
+    }
+
     private static (BallState[] States, StepLog Log) Turned(double rate, double step, Integrator integrator = Integrator.Rk4)
     {
         BallProperties hollow = BallProperties.Tunnel with { InertiaFactor = 2 / 3.0 };
