@@ -94,6 +94,7 @@ internal sealed class FlightPhase<TIntegrator>
         where TMethod : struct, IIntegrator
     {
         Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
+        NetGuard.KeepFinite(ref sweep, in s);
         int order = default(TMethod).Order;
         if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
         {

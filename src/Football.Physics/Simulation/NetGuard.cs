@@ -14,12 +14,26 @@ internal sealed class NetGuard
     /// <summary>Maximum number of times a piece next to a collider is shortened.</summary>
     private const int MostHalved = 4;
 
+    /// <summary>Maximum number of times a piece is shortened whose end is not finite; at last to nothing.</summary>
+    private const int MostShortened = 32;
+
     /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
     private const int MostParts = 64;
 
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
+
+    /// <summary>Shortens a piece in a net until its end is finite. At a depth or speed beyond any shot, the force can grow without bound.</summary>
+    public static void KeepFinite<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, in BallState s)
+        where TSystem : struct, IMotionSystem
+        where TMethod : struct, IIntegrator
+    {
+        for (int i = 0; i < MostShortened && s.Nets != 0 && !SetGuard.IsFinite(in sweep.Taken.End); i++)
+        {
+            sweep.Step(i < MostShortened - 1 ? 0.25 * sweep.Length : 0);
+        }
+    }
 
     /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)

@@ -253,6 +253,7 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         sweep = new MotionSweep<SurfaceSystem, TMethod>(in piece.System, s.Time, in piece.From, in piece.Start, _around.Wind, _around.Radius);
         sweep.Step(piece.Length);
+        NetGuard.KeepFinite(ref sweep, in s);
     }
 
     /// <summary>Ends a piece at the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.</summary>
