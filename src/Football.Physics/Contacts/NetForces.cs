@@ -52,21 +52,22 @@ internal sealed class NetForces(NetSheet[] sheets)
     /// <summary>Returns the longest piece in nets that at most a number of parts take accurately, in s.</summary>
     public double Longest(ulong nets, ulong sides, in Vector3d position, in Vector3d velocity, int parts = 1)
     {
-        double longest = double.PositiveInfinity;
+        // Nets that pull in one direction add up. The greatest depth that the ball can reach in the time p satisfies p Σ λ(δ + p v) = c, which is
+        // quadratic in p.
         double change = parts * Change;
         double speed = velocity.Length;
+        double rate = 0;
+        double bend = 0;
         for (int i = 0; i < sheets.Length && nets >> i != 0; i++)
         {
             if ((nets >> i & 1) != 0)
             {
-                // The greatest depth that the ball can reach in the time p satisfies p λ(δ + p v) = c, which is quadratic in p.
-                double rate = sheets[i].RateAt(Math.Max(0, sheets[i].Depth(in position, NetSheet.SideOf(sides, i))));
-                double bend = sheets[i].RatePerDepth * speed;
-                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
+                rate += sheets[i].RateAt(Math.Max(0, sheets[i].Depth(in position, NetSheet.SideOf(sides, i))));
+                bend += sheets[i].RatePerDepth * speed;
             }
         }
 
-        return longest;
+        return nets == 0 ? double.PositiveInfinity : 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change)));
     }
 
     /// <summary>Returns the net in which the ball is deepest; −1 if it is in none.</summary>

@@ -91,7 +91,7 @@ public sealed class NetSheetTests
         }
     }
 
-    /// <summary>A part p is as long as p λ(δ + p v) = c allows; the shortest of all nets that hold the ball counts.</summary>
+    /// <summary>A part p is as long as p Σ λ(δ + p v) = c allows: the rates of all nets that hold the ball add up.</summary>
     [Fact]
     public void A_part_of_a_step_in_nets_is_as_long_as_the_rate_at_its_end_allows()
     {
@@ -99,6 +99,7 @@ public sealed class NetSheetTests
         Scene scene = Scene.Default with { Nets = [Net, other] };
         var world = new World(scene);
         var sheet = new NetSheet(Net, scene.Ball);
+        var second = new NetSheet(other, scene.Ball);
         double At(double depth, double speed, ulong nets = 1, ulong sides = 3) =>
             world.NetForces.Longest(nets, sides, Net.Center + ((Ball.Radius - depth) * Normal), speed * Along);
         double change = At(0, 0) * sheet.RateAt(0);
@@ -106,8 +107,9 @@ public sealed class NetSheetTests
         {
             double part = At(depth, speed);
             Assert.Equal(change, part * sheet.RateAt(depth + (part * speed)), 1e-9);
-            Assert.Equal(At(depth, speed, 2), Math.Min(part, At(depth, speed, 3)), 1e-12);
-            Assert.True(At(depth, speed, 2) < part);
+            double both = At(depth, speed, 3);
+            Assert.Equal(change, both * (sheet.RateAt(depth + (both * speed)) + second.RateAt(depth + (both * speed))), 1e-9);
+            Assert.True(both < At(depth, speed, 2) && At(depth, speed, 2) < part);
         }
 
         // Off the net it is as at its face; the other side is another depth.
