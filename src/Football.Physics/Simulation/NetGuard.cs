@@ -24,7 +24,8 @@ internal sealed class NetGuard
 
     public NetGuard(World world) => _world = world;
 
-    /// <summary>Shortens a piece in a net until its end is finite. At a depth or speed beyond any shot, the force can grow without bound.</summary>
+    /// <summary>Shortens a piece in a net until its end is finite.</summary>
+    /// <remarks>At a speed beyond any shot, a slide can pass from a straight surface to a curved one within a piece, where its parts are too long.</remarks>
     public static void KeepFinite<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, in BallState s)
         where TSystem : struct, IMotionSystem
         where TMethod : struct, IIntegrator
