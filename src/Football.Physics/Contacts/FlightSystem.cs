@@ -55,14 +55,14 @@ internal struct FlightSystem : IMotionSystem
         MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
         Vector3d u = at.Velocity - around.Wind;
         AirFactors air;
-        if (Nets != 0 && !around.Air.Varies)
-        {
-            around.Air.EvaluateSteady(in u, in at.Spin, branch, out air);
-        }
-        else
+        if (around.Air.Varies)
         {
             var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
             around.Air.Evaluate(in ball, branch, out air);
+        }
+        else
+        {
+            around.Air.OfLaws(in u, in at.Spin, branch, out air);
         }
 
         MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);

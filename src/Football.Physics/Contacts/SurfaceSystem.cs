@@ -193,7 +193,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d u = at.Velocity - Around.Wind;
         double rate = Around.Air.Varies
             ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air)
-            : Nets != 0 ? Around.Air.EvaluateSteady(in u, in at.Spin, Branch, out air) : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
+            : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;

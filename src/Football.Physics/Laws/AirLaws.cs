@@ -6,6 +6,9 @@ namespace FootballPhysics.Laws;
 /// <summary>The aerodynamic laws of a scene behind one virtual call, for all code except the hot flight step. Immutable and thread-safe.</summary>
 internal abstract class AirLaws
 {
+    /// <summary>A squared spin below this, in rad²/s², counts as zero: its reciprocal would overflow in later products.</summary>
+    public const double NoSpin = 1e-100;
+
     /// <summary>True if drag acts.</summary>
     public bool Drags { get; protected init; }
 
@@ -58,7 +61,7 @@ internal abstract class AirLaws
     public virtual bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        bool spins = spinSquared > AirRates.NoSpin;
+        bool spins = spinSquared > NoSpin;
 
         // |ω̂ × u|² = |ω × u|²/|ω|²; then compute lift and decay per unit of spin.
         double perSquared = spins ? 1.0 / spinSquared : 0;

@@ -49,7 +49,7 @@ internal struct ConstantAir : IFlightAir
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         // Per unit of spin, the lift is k_L and the decay is k.
-        bool spins = spinSquared > AirRates.NoSpin;
+        bool spins = spinSquared > AirLaws.NoSpin;
         drag = _drag * Math.Sqrt(speedSquared);
         lift = _lift;
         decay = spins ? _decay : 0;

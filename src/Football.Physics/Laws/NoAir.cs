@@ -35,7 +35,7 @@ internal struct NoAir : IFlightAir
         drag = 0;
         lift = 0;
         decay = 0;
-        return spinSquared > AirRates.NoSpin;
+        return spinSquared > AirLaws.NoSpin;
     }
 
     public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;

@@ -46,10 +46,11 @@ public sealed class ScaledAir : IForce
         // Evaluate the scene's laws, then add the force that the factors contribute.
         DragBranch branch = DragJump.BranchAt(Laws.Jumps, u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared);
         Vector3d w = ball.Spin;
-        AirRates.Factors(Laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out double drag, out double lift, out _);
+        Vector3d cross = Vector3d.Cross(in w, in u);
+        Laws.FactorsPerSpin(u.LengthSquared, w.LengthSquared, cross.LengthSquared, branch, out double drag, out double lift, out _);
 
         // (f_L − 1) m L (ω × u) − (f_D − 1) m D u
-        sum.AddForce(_mass * (((Lift - 1.0) * lift * Vector3d.Cross(in w, in u)) - ((Drag - 1.0) * drag * u)));
+        sum.AddForce(_mass * (((Lift - 1.0) * lift * cross) - ((Drag - 1.0) * drag * u)));
     }
 
     /// <summary>Returns the only custom force of a scene if it scales the scene's own laws; otherwise null.</summary>

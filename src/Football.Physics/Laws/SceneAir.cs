@@ -122,25 +122,6 @@ internal struct SceneAir : IFlightAir
         }
     }
 
-    /// <summary>Computes the effect of air that does not vary, faster than <see cref="Evaluate"/> and with other rounding.</summary>
-    /// <param name="u">The velocity relative to the air, in m/s.</param>
-    /// <param name="spin">The spin, in rad/s.</param>
-    /// <param name="branch">The branch of the drag law.</param>
-    /// <param name="factors">The effect of the air.</param>
-    /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly double EvaluateSteady(in Vector3d u, in Vector3d spin, DragBranch branch, out AirFactors factors)
-    {
-        factors.AirVelocity = u;
-        factors.AirSpeed = 0;
-        factors.Acceleration = Vector3d.Zero;
-        factors.SpinAcceleration = Vector3d.Zero;
-        double spinSquared = spin.LengthSquared;
-        bool spins = _laws.FactorsPerSpin(
-            u.LengthSquared, spinSquared, Vector3d.Cross(in spin, in u).LengthSquared, branch, out factors.Drag, out factors.Lift, out factors.Decay);
-        return spins ? Math.Sqrt(spinSquared) : 0;
-    }
-
     /// <summary>Computes the effect of the air and of custom forces at one instant, for any motion.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
@@ -166,14 +147,22 @@ internal struct SceneAir : IFlightAir
     }
 
     /// <summary>Computes the effect of the laws alone. It is that of all air unless <see cref="Varies"/> is true.</summary>
+    /// <param name="u">The velocity relative to the air, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="factors">The effect of the air.</param>
     /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double OfLaws(in Vector3d u, in Vector3d spin, DragBranch branch, out AirFactors factors)
     {
         factors.AirVelocity = u;
         factors.AirSpeed = 0;
         factors.Acceleration = Vector3d.Zero;
         factors.SpinAcceleration = Vector3d.Zero;
-        return AirRates.Factors(_laws, u.X, u.Y, u.Z, spin.X, spin.Y, spin.Z, branch, out factors.Drag, out factors.Lift, out factors.Decay);
+        double spinSquared = spin.LengthSquared;
+        bool spins = _laws.FactorsPerSpin(
+            u.LengthSquared, spinSquared, Vector3d.Cross(in spin, in u).LengthSquared, branch, out factors.Drag, out factors.Lift, out factors.Decay);
+        return spins ? Math.Sqrt(spinSquared) : 0;
     }
 }
 

@@ -134,7 +134,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        bool spins = spinSquared > AirRates.NoSpin;
+        bool spins = spinSquared > AirLaws.NoSpin;
         if (_law.NeedsSpinAcross && spins && HoldsAt(speedSquared, spinSquared))
         {
             // Lift and decay are proportional to the spin, and S² = r²|ω × u|²/|u|⁴: neither a division by the spin nor a square root is needed.

@@ -6,7 +6,7 @@ using FootballPhysics.Tests.Support;
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Directions of the forces and torques.</summary>
-public sealed class AirRatesTests
+public sealed class AirForcesTests
 {
     private static readonly Scene s_scene = LawGrid.Scene;
 
