@@ -13,7 +13,7 @@ internal struct InventedLaw : ITableLaw
 
     public readonly double SpeedScale => 0.5;
 
-    public readonly LawTables Tables => new(this, new Octaves(-6, 14, 6), new Octaves(0, 8, 7));
+    public readonly LawTables Tables => new(this, new Octaves(-14, 14, 6), new Octaves(0, 8, 7));
 
     public void Prepare(Scene scene) => _k = AirScale.DynamicArea(scene);
 

@@ -130,7 +130,7 @@ public sealed class TableLawTests
     }
 
     [Theory]
-    [InlineData(0.5, 3)]
+    [InlineData(0.0156, 0.1)]
     [InlineData(0.01, 0)]
     [InlineData(0, 0)]
     [InlineData(120, 30)]
@@ -282,7 +282,7 @@ public sealed class TableLawTests
             var air = new TableAir<TLaw>(scene);
             for (int k = 0; k < 400; k++)
             {
-                double speed = 0.5 * Math.Pow(300, random.NextDouble());
+                double speed = 0.015 * Math.Pow(10_000, random.NextDouble());
                 double spin = 22 * Math.Pow(random.NextDouble(), 3) * speed / s_radius;
                 double h = Math.Pow(10, -4 + (3.5 * random.NextDouble()));
                 if (!air.Covers(speed * speed, spin, h))
@@ -355,7 +355,7 @@ public sealed class TableLawTests
     }
 
     private static IEnumerable<double> Speeds() =>
-        Enumerable.Range(0, 300).Select(i => 0.51 * Math.Pow(119.9 / 0.51, i / 299.0)).Concat(Enumerable.Range(0, 150).Select(i => 11 + (i * 0.02)));
+        Enumerable.Range(0, 400).Select(i => 0.0157 * Math.Pow(119.9 / 0.0157, i / 399.0)).Concat(Enumerable.Range(0, 150).Select(i => 11 + (i * 0.02)));
 
     private static IReadOnlyList<double> SpinParameters() =>
     [

@@ -12,8 +12,8 @@ internal struct MeasuredLaw : ITableLaw
     /// <summary>The tables of each drag curve, kept while the curve is reachable.</summary>
     private static readonly ConditionalWeakTable<DragCurve, LawTables> Shared = new();
 
-    /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
-    private static readonly Octaves Reynolds = new(24, 44, 6);
+    /// <summary>Reynolds numbers from 128 to 4.2e6.</summary>
+    private static readonly Octaves Reynolds = new(14, 44, 6);
 
     /// <summary>Reynolds numbers from 65 000 to 740 000, in segments fine enough for the narrowest drag crisis.</summary>
     private static readonly Octaves Crisis = new(32, 39, 7);

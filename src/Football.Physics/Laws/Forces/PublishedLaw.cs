@@ -11,7 +11,7 @@ namespace FootballPhysics.Laws;
 internal struct PublishedLaw : ITableLaw
 {
     /// <summary>Tables from 0.5 to 128 m/s, with finer segments from 2.8 to 32 m/s, around the drag crisis.</summary>
-    private static readonly LawTables Shared = new(default(PublishedLaw), new Octaves(-2, 14, 6), new Octaves(3, 10, 7));
+    private static readonly LawTables Shared = new(default(PublishedLaw), new Octaves(-12, 14, 6), new Octaves(3, 10, 7));
 
     private EmpiricalSpinDecay _decay;
     private double _ofDrag; // ½ ρ A / m, 1/m; 0 without drag

@@ -8,7 +8,7 @@ namespace FootballPhysics.Laws;
 internal struct RegularisedLaw : ITableLaw
 {
     /// <summary>Tables from 0.5 to 128 m/s, with segments from 8 to 32 m/s fine enough for the 0.25 m/s layer at the critical speed.</summary>
-    private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-2, 14, 6), new Octaves(6, 10, 8));
+    private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-12, 14, 6), new Octaves(6, 10, 8));
 
     private EmpiricalSpinDecay _decay;
     private double _k; // ½ ρ A / m, 1/m

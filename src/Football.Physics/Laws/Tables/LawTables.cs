@@ -16,7 +16,7 @@ internal sealed class LawTables
     private const int None = -64;
 
     /// <summary>An exponent below that of the S² used for a ball without spin.</summary>
-    private const int Least = -81;
+    private const int Least = -91;
 
     /// <summary>Tabulates the functions of a law.</summary>
     /// <remarks>At S = 2, one plate of the empirical spin decay has zero speed. A segment ends there, because its square is a power of two.</remarks>

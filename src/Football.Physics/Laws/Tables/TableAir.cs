@@ -17,10 +17,10 @@ internal struct TableAir<TLaw> : IFlightAir
     private const double StillAir = 1e-9;
 
     /// <summary>Added to (r|ω|)², in m²/s², so that a ball without spin stays within the tables.</summary>
-    private const double NoSpin = 1e-20;
+    private const double NoSpin = 1e-23;
 
     /// <summary>The lowest speed of a single evaluation by tables, in m/s.</summary>
-    private const double SlowestPoint = 0.5;
+    private const double SlowestPoint = 0.015625;
 
     /// <summary>The margin by which a step must start above the lowest speed of the tables.</summary>
     private const double AboveSlowest = 1.5;
