@@ -129,13 +129,24 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
             s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * highS)))))))))));
         }
 
-        // The vector part is sin(θ/2)/θ times the rotation vector.
-        s *= 0.5;
-        Quaterniond turned = new Quaterniond(s * rotation.X, s * rotation.Y, s * rotation.Z, c) * this;
+        // Scale this quaternion by 1/√n², for n² = 1 + rounding: the norm of the other factor is 1. The scale does not wait for the sine.
+        double scale = 1.5 - (0.5 * LengthSquared);
+        double bx = scale * X;
+        double by = scale * Y;
+        double bz = scale * Z;
+        double bw = scale * W;
 
-        // 1/√n² for n² = 1 + rounding
-        double scale = 1.5 - (0.5 * turned.LengthSquared);
-        return new(turned.X * scale, turned.Y * scale, turned.Z * scale, turned.W * scale);
+        // The product, component by component: a quaternion in between would be stored and loaded. The vector part of the other factor is
+        // sin(θ/2)/θ times the rotation vector.
+        s *= 0.5;
+        double ax = s * rotation.X;
+        double ay = s * rotation.Y;
+        double az = s * rotation.Z;
+        return new(
+            (c * bx) + (ax * bw) + ((ay * bz) - (az * by)),
+            (c * by) + (ay * bw) + ((az * bx) - (ax * bz)),
+            (c * bz) + (az * bw) + ((ax * by) - (ay * bx)),
+            (c * bw) - ((ax * bx) + (ay * by) + (az * bz)));
     }
 
     /// <summary>Returns this quaternion, scaled to norm 1.</summary>
@@ -251,7 +262,7 @@ internal static class RotationVector
     /// <param name="end">The spin at the end.</param>
     /// <param name="h">The length of the step, in s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3d OfMean(in Vector3d mean, in Vector3d start, in Vector3d end, double h) => (h * mean) + ((1.0 / 12.0) * (h * h * Vector3d.Cross(in end, in start)));
+    public static Vector3d OfMean(in Vector3d mean, in Vector3d start, in Vector3d end, double h) => (h * mean) + (h * h * (1.0 / 12.0) * Vector3d.Cross(in end, in start));
 
     /// <summary>Composes two small rotations: the Baker–Campbell–Hausdorff series to the third order.</summary>
     /// <param name="first">The first rotation, in rad.</param>

@@ -99,15 +99,24 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private bool TryWhole<TMotion>(ref BallState s, double dt, double end, StepLog log)
         where TMotion : struct, ISurfaceMotion
     {
-        if (!Proposes<TMotion>(ref s, dt, out PlaneStart on, out PlaneMotion start, out int patch))
+        // Keep the motion in the plane's axes in registers: a value that is stored and loaded again is late.
+        bool isLevel = _law.Axes.IsLevel;
+        double vx = isLevel ? s.Flight.Velocity.X : Vector3d.Dot(in s.Flight.Velocity, in _law.Axes.X);
+        double vz = isLevel ? s.Flight.Velocity.Z : Vector3d.Dot(in s.Flight.Velocity, in _law.Axes.Z);
+        double wx = isLevel ? s.Flight.Axis.X : Vector3d.Dot(in s.Flight.Axis, in _law.Axes.X);
+        double wy = isLevel ? s.Flight.Axis.Y : Vector3d.Dot(in s.Flight.Axis, in _law.Axes.Normal);
+        double wz = isLevel ? s.Flight.Axis.Z : Vector3d.Dot(in s.Flight.Axis, in _law.Axes.Z);
+        if (!Proposes<TMotion>(ref s, dt, vx, vz, wx, wy, wz, out PlaneStart on, out int patch))
         {
             return false;
         }
 
+        var start = new PlaneMotion { VX = vx, VZ = vz, WX = wx, WY = wy, WZ = wz };
+
         // Use the first stage to reject a step in which the slip or the roll turns too much.
         bool rolls = default(TMotion).Rolls;
         ref readonly PlaneMaterial material = ref _materials[patch + 1];
-        _law.RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
+        _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, 0, 0, 0, out PlaneRates first);
         double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
         double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
@@ -137,13 +146,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series. For a large turn, use the sixth order.
-        Vector3d mean = step.Mean.Spin;
-        Vector3d commutator = dt * dt * Vector3d.Cross(step.End.Spin, start.Spin);
-        Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
-            ? (dt * mean) + ((1.0 / 12.0) * commutator)
-            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - step.Stage.Spin), step.End.Spin, dt);
-        Vector3d turn = _law.Axes.InWorld(turned.X, turned.Y, turned.Z);
+        Vector3d turn = Turn(in start, in step, dt);
         if (log.IsWatched)
         {
             MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, in first, in step.End, dt, end, alongX, alongZ);
@@ -156,39 +159,23 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Reads the motion, and accepts a step only if the slip or roll has a direction, the step is stable, and no object is near.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool Proposes<TMotion>(ref BallState s, double dt, out PlaneStart on, out PlaneMotion start, out int patch)
+    private bool Proposes<TMotion>(ref BallState s, double dt, double vx, double vz, double wx, double wy, double wz, out PlaneStart on, out int patch)
         where TMotion : struct, ISurfaceMotion
     {
         bool rolls = default(TMotion).Rolls;
-
-        // Copy the motion to the plane's axes component by component, as the last step wrote it: a wide load would stall. A rolling ball needs only
-        // its spin about the normal.
-        ref FlightMotion motion = ref s.Flight;
-        if (_law.Axes.IsLevel)
-        {
-            start.VX = motion.Velocity.X;
-            start.VZ = motion.Velocity.Z;
-            start.WX = motion.Axis.X;
-            start.WY = motion.Axis.Y;
-            start.WZ = motion.Axis.Z;
-        }
-        else
-        {
-            start = _law.Axes.InPlane(in motion);
-        }
-
-        double x = rolls ? start.VX : start.VX + (_radius * start.WZ);
-        double z = rolls ? start.VZ : start.VZ - (_radius * start.WX);
-        double size = Math.Sqrt((x * x) + (z * z));
-        double perSize = 1.0 / size;
-        double airX = start.VX - _law.WindX;
-        double airZ = start.VZ - _law.WindZ;
-        double spinSquared = (start.WX * start.WX) + (start.WY * start.WY) + (start.WZ * start.WZ);
+        double x = rolls ? vx : vx + (_radius * wz);
+        double z = rolls ? vz : vz - (_radius * wx);
+        double squared = (x * x) + (z * z);
+        double size = Math.Sqrt(squared);
+        double perSize = size * (1.0 / squared); // the division does not wait for the root
+        double airX = vx - _law.WindX;
+        double airZ = vz - _law.WindZ;
+        double spinSquared = (wx * wx) + (wy * wy) + (wz * wz);
         double airSpeedSquared = (airX * airX) + (_law.WindUp * _law.WindUp) + (airZ * airZ);
         patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
         ref readonly PlaneMaterial material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_law.WindUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _law.Weight);
-        double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
+        double spinAtMost = Math.Abs(wx) + Math.Abs(wy) + Math.Abs(wz);
         Unsafe.SkipInit(out on);
         if (!(size >= ContactTolerances.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
             || size < SoonOver * dt * (rolls ? material.Rolling : material.SlipFriction) * _law.Weight
@@ -201,7 +188,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         on.Size = size;
         on.X = x * perSize;
         on.Z = z * perSize;
-        on.SpinSign = start.WY > ContactTolerances.Rolling ? 1.0 : start.WY < -ContactTolerances.Rolling ? -1.0 : 0.0;
+        on.SpinSign = wy > ContactTolerances.Rolling ? 1.0 : wy < -ContactTolerances.Rolling ? -1.0 : 0.0;
         on.Time = s.Time;
         if (_law.HasField)
         {
@@ -246,12 +233,17 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             double h = _offsets[stage] * dt;
             double wayX = h * at.VX;
             double wayZ = h * at.VZ;
-            at.VX = start.VX + (h * rates.AX);
-            at.VZ = start.VZ + (h * rates.AZ);
-            at.WX = rolls ? at.VZ * _perRadius : start.WX + (h * rates.BX);
-            at.WY = start.WY + (h * rates.BY);
-            at.WZ = rolls ? -at.VX * _perRadius : start.WZ + (h * rates.BZ);
-            _law.RatesOf<TMotion>(in on, in material, in at, h, wayX, wayZ, out stageRates);
+            double vx = start.VX + (h * rates.AX);
+            double vz = start.VZ + (h * rates.AZ);
+            double wx = rolls ? vz * _perRadius : start.WX + (h * rates.BX);
+            double wy = start.WY + (h * rates.BY);
+            double wz = rolls ? -vx * _perRadius : start.WZ + (h * rates.BZ);
+            at.VX = vx;
+            at.VZ = vz;
+            at.WX = wx;
+            at.WY = wy;
+            at.WZ = wz;
+            _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, h, wayX, wayZ, out stageRates);
             rates = ref stageRates;
             weight = _weights[stage];
             sumVX += weight * at.VX;
@@ -306,6 +298,18 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             || (_locatesJump && _law.MayCrossJump(in on, in start, in first, in end, dt));
     }
 
+    /// <summary>Returns the rotation over a step whose spin axis turns too, rad.</summary>
+    /// <remarks>It is ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series; for a large turn, the series of order 6.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector3d Turn(in PlaneMotion start, in PlaneMotionStep step, double dt)
+    {
+        Vector3d end = step.End.Spin;
+        bool turnsLittle = _order < 4 || dt * dt * dt * dt * Vector3d.Cross(in end, start.Spin).LengthSquared <= LittleTurn * LittleTurn;
+        Vector3d turned = turnsLittle ? RotationVector.OfMean(step.Mean.Spin, start.Spin, in end, dt)
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * step.Mean.Spin) - start.Spin - step.Stage.Spin), in end, dt);
+        return _law.Axes.InWorld(turned.X, turned.Y, turned.Z);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Move(ref BallState s, in PlaneStart on, in Vector3d position, in Vector3d turn, in PlaneMotion last, double end)
     {
@@ -330,7 +334,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         Vector3d start = _law.Axes.InWorld(first.AX, 0, first.AZ);
         if (log.WantsEnd(in before, in s, in start))
         {
-            _law.RatesOf<TMotion>(in on, in material, in last, dt, alongX, alongZ, out rates);
+            _law.RatesOf<TMotion>(in on, in material, last.VX, last.VZ, last.WX, last.WY, last.WZ, dt, alongX, alongZ, out rates);
             log.Evaluations++;
         }
 

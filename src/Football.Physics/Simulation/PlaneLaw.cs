@@ -83,22 +83,17 @@ internal sealed class PlaneLaw<TAir>
     /// B and C contain the air's share in the load, and so in friction.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void RatesOf<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
+    public void RatesOf<TMotion>(
+        in PlaneStart on, in PlaneMaterial material, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
         where TMotion : struct, ISurfaceMotion
     {
-        double vx = at.VX;
-        double vz = at.VZ;
-        double wx = at.WX;
-        double wy = at.WY;
-        double wz = at.WZ;
-
         // The velocity relative to the air, u, and ω × u.
         double ux = vx - WindX;
         double uy = -WindUp;
         double uz = vz - WindZ;
 
         // Only the wind varies here: custom forces are excluded, and the knuckle force acts only in flight.
-        DragBranch branch = _air.HasField ? AddWind(in on, in at, after, wayX, wayZ, ref ux, ref uy, ref uz) : on.Branch;
+        DragBranch branch = _air.HasField ? AddWind(in on, (wx * wx) + (wy * wy) + (wz * wz), after, wayX, wayZ, ref ux, ref uy, ref uz) : on.Branch;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double spinSquared = (wx * wx) + (wy * wy) + (wz * wz);
         double crossX = (wy * uz) - (wz * uy);
@@ -116,9 +111,10 @@ internal sealed class PlaneLaw<TAir>
         rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
         if (default(TMotion).Rolls)
         {
-            double speed = Math.Sqrt((vx * vx) + (vz * vz));
+            double squared = (vx * vx) + (vz * vz);
+            double speed = Math.Sqrt(squared);
             bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
-            double perSpeed = 1.0 / speed;
+            double perSpeed = speed * (1.0 / squared); // the division does not wait for the root
             double friction = material.Rolling + (material.RollingBySpeed * speed);
             double fx = friction * (goesOn ? vx * perSpeed : on.X);
             double fz = friction * (goesOn ? vz * perSpeed : on.Z);
@@ -141,7 +137,8 @@ internal sealed class PlaneLaw<TAir>
         {
             double sx = vx + (_radius * wz);
             double sz = vz - (_radius * wx);
-            double perSize = 1.0 / Math.Sqrt((sx * sx) + (sz * sz));
+            double squared = (sx * sx) + (sz * sz);
+            double perSize = Math.Sqrt(squared) * (1.0 / squared); // the division does not wait for the root
             bool slips = (sx * on.X) + (sz * on.Z) > 0;
             sx = slips ? perSize * sx : on.X;
             sz = slips ? perSize * sz : on.Z;
@@ -162,14 +159,14 @@ internal sealed class PlaneLaw<TAir>
 
     /// <summary>Subtracts the wind field at a position and time from a velocity, and returns the branch of the drag law for the result.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private DragBranch AddWind(in PlaneStart on, in PlaneMotion motion, double after, double wayX, double wayZ, ref double ux, ref double uy, ref double uz)
+    private DragBranch AddWind(in PlaneStart on, double spinSquared, double after, double wayX, double wayZ, ref double ux, ref double uy, ref double uz)
     {
         Vector3d at = on.From + Axes.InWorld(wayX, 0, wayZ);
         Vector3d wind = _air.WindAt(on.Time + after, at.X, at.Y, at.Z);
         ux -= Vector3d.Dot(in wind, in Axes.X);
         uy -= Vector3d.Dot(in wind, in Axes.Normal);
         uz -= Vector3d.Dot(in wind, in Axes.Z);
-        return DragJump.Choose(_jumps, locates: false, on.Branch, (ux * ux) + (uy * uy) + (uz * uz), _radiusSquared * motion.SpinSquared);
+        return DragJump.Choose(_jumps, locates: false, on.Branch, (ux * ux) + (uy * uy) + (uz * uz), _radiusSquared * spinSquared);
     }
 
     /// <summary>True if the step may have crossed the jump in the drag law (conservative).</summary>

@@ -48,17 +48,6 @@ internal readonly struct PlaneAxes
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d InWorld(double x, double y, double z) => IsLevel ? new Vector3d(x, y, z) : (x * X) + (y * Normal) + (z * Z);
-
-    public PlaneMotion InPlane(in FlightMotion motion)
-    {
-        PlaneMotion at;
-        at.VX = Vector3d.Dot(in motion.Velocity, in X);
-        at.VZ = Vector3d.Dot(in motion.Velocity, in Z);
-        at.WX = Vector3d.Dot(in motion.Axis, in X);
-        at.WY = Vector3d.Dot(in motion.Axis, in Normal);
-        at.WZ = Vector3d.Dot(in motion.Axis, in Z);
-        return at;
-    }
 }
 
 /// <summary>Constants of a step.</summary>
