@@ -13,7 +13,7 @@ internal struct Substeps : IIntegrator
     private const double Short = 0.02;
 
     /// <summary>The same for the method of order 6.</summary>
-    private const double Medium = 0.15;
+    private const double Medium = 0.25;
 
     /// <summary>The number of parts before the end from which a repeated step resumes: a search rarely goes back further.</summary>
     private const double Before = 3.0;
