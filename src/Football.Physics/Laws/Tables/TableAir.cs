@@ -93,7 +93,7 @@ internal struct TableAir<TLaw> : IFlightAir
         {
             // S² = (r|ω|)² |ω̂ × u|²/|u|⁴
             double perSpeedSquared = 1.0 / speedSquared;
-            ofSpin = ((surfaceSquared * acrossSquared) + (NoSpin * speedSquared)) * perSpeedSquared * perSpeedSquared;
+            ofSpin = ((surfaceSquared * acrossSquared) + (NoSpin * speedSquared)) * (perSpeedSquared * perSpeedSquared);
         }
         else
         {
