@@ -8,7 +8,7 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>`quick`: prints the tables of times in under a minute, while BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] (--costs FILE | --history FILE | --against FOLDER)";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | floor: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] (--costs FILE | --history FILE | --against FOLDER)";
 
     public static int Run(string[] arguments)
     {
@@ -91,13 +91,14 @@ internal static class QuickCommand
         var mixtures = MixtureTable.Rows.Where(row => Wanted("Scene contains: " + row.Name, only)).ToArray();
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
+        var floors = FloorTable.Rows.Where(row => Wanted("Floor: " + row.Name, only)).ToArray();
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
         IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
         IReadOnlyList<ContactRow> contacts = [.. ContactTable.Rows.Where(row => Wanted("Contact: " + row.Name, only))];
         IReadOnlyList<GroupRow> groups = [.. GroupTable.Rows.Where(row => Wanted("Group: " + row.Name, only))];
         IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> heaps = [.. HeapTable.Rows.Where(row => Wanted("Heap: " + row.Name, only))];
         (string Name, Integrator Integrator)[] nets = [.. NetTable.Rows.Where(row => Wanted("Net: " + row.Name, only))];
-        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count + groups.Count + mixtures.Length);
+        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + floors.Length + world.Count + predictions.Count + contacts.Count + groups.Count + mixtures.Length);
         if (kicks.Count > 0)
         {
             KickTable.Print(line => Print(text, line), kicks, share);
@@ -116,6 +117,11 @@ internal static class QuickCommand
         if (free.Count > 0)
         {
             Free(text, free, share);
+        }
+
+        if (floors.Length > 0)
+        {
+            FloorTable.Print(line => Print(text, line), floors, share);
         }
 
         if (world.Count > 0)

@@ -10,7 +10,7 @@ namespace FootballPhysics.Laws;
 /// </remarks>
 internal struct PublishedLaw : ITableLaw
 {
-    /// <summary>Tables from 0.5 to 128 m/s, with finer segments from 2.8 to 32 m/s, around the drag crisis.</summary>
+    /// <summary>Tables from 1.6 cm/s to 128 m/s, with finer segments from 2.8 to 32 m/s, around the drag crisis.</summary>
     private static readonly LawTables Shared = new(default(PublishedLaw), new Octaves(-12, 14, 6), new Octaves(3, 10, 7));
 
     private EmpiricalSpinDecay _decay;
