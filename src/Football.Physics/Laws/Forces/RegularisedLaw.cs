@@ -7,7 +7,7 @@ namespace FootballPhysics.Laws;
 /// <remarks>They are <see cref="RegularisedDragFit"/>, <see cref="EmpiricalMagnus"/> and <see cref="EmpiricalSpinDecay"/>.</remarks>
 internal struct RegularisedLaw : ITableLaw
 {
-    /// <summary>Tables from 0.5 to 128 m/s, with segments from 8 to 32 m/s fine enough for the 0.25 m/s layer at the critical speed.</summary>
+    /// <summary>Tables from 1.6 cm/s to 128 m/s, with segments from 8 to 32 m/s fine enough for the 0.25 m/s layer at the critical speed.</summary>
     private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-12, 14, 6), new Octaves(6, 10, 8));
 
     private EmpiricalSpinDecay _decay;

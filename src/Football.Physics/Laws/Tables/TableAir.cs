@@ -33,6 +33,7 @@ internal struct TableAir<TLaw> : IFlightAir
     private readonly FactorTable _speeds;
     private readonly FactorTable _spins;
     private readonly TableRange _range;
+    private readonly RateBound _decay;
     private readonly double _radius;
     private readonly double _radiusSquared;
     private readonly double _slowestSquared; // |u|² within the tables
@@ -63,11 +64,13 @@ internal struct TableAir<TLaw> : IFlightAir
         double fastest = Math.Min(TableRange.Fastest, BelowFastest * tables.Fastest / _law.SpeedScale);
         _slowestSquared = slowest * slowest;
         _fastestSquared = fastest * fastest;
+        _decay = SceneLaws.SpinDecay(scene).Bound;
         _range = new TableRange(scene, SceneLaws.DragBound(scene, fastest) + SceneLaws.Magnus(scene).Bound, FastestSpin, AboveSlowest * slowest, fastest);
     }
 
     /// <inheritdoc cref="IFlightAir.WholeUpTo"/>
-    public double WholeUpTo(in RateBound bound) => 0.5 / ((bound.PerSpeed * TableRange.Fastest) + (bound.PerSpin * FastestSpin) + bound.Constant);
+    /// <remarks>Where the tables hold, drag and lift change the motion by a quarter at most. The spin decay and the fall may change it by another quarter.</remarks>
+    public double WholeUpTo(in RateBound bound) => 0.25 / ((_decay.PerSpeed * TableRange.Fastest) + (_decay.PerSpin * FastestSpin) + bound.Constant);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h) =>
