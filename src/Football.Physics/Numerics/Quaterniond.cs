@@ -137,16 +137,16 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         double bw = scale * W;
 
         // The product, component by component: a quaternion in between would be stored and loaded. The vector part of the other factor is
-        // sin(θ/2)/θ times the rotation vector.
+        // sin(θ/2)/θ times the rotation vector; the products with that vector do not wait for the sine.
+        double rx = rotation.X;
+        double ry = rotation.Y;
+        double rz = rotation.Z;
         s *= 0.5;
-        double ax = s * rotation.X;
-        double ay = s * rotation.Y;
-        double az = s * rotation.Z;
         return new(
-            (c * bx) + (ax * bw) + ((ay * bz) - (az * by)),
-            (c * by) + (ay * bw) + ((az * bx) - (ax * bz)),
-            (c * bz) + (az * bw) + ((ax * by) - (ay * bx)),
-            (c * bw) - ((ax * bx) + (ay * by) + (az * bz)));
+            (c * bx) + (s * ((rx * bw) + ((ry * bz) - (rz * by)))),
+            (c * by) + (s * ((ry * bw) + ((rz * bx) - (rx * bz)))),
+            (c * bz) + (s * ((rz * bw) + ((rx * by) - (ry * bx)))),
+            (c * bw) - (s * ((rx * bx) + (ry * by) + (rz * bz))));
     }
 
     /// <summary>Returns this quaternion, scaled to norm 1.</summary>

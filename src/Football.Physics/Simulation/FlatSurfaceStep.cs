@@ -116,9 +116,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         // Use the first stage to reject a step in which the slip or the roll turns too much.
         bool rolls = default(TMotion).Rolls;
         ref readonly PlaneMaterial material = ref _materials[patch + 1];
-        _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, 0, 0, 0, out PlaneRates first);
-        double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
-        double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
+        PlaneAcceleration along = _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, 0, 0, 0, out PlaneRates first);
+        double rateX = rolls ? along.X : along.X + (_radius * first.BZ);
+        double rateZ = rolls ? along.Z : along.Z - (_radius * first.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
         double turning = Ample * material.SlidingTorque * first.Load;
         if (!TurnLimit.Allows(on.Size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across) || !(first.BrakingSquared <= turning * turning))
@@ -126,17 +126,17 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        Integrate<TMotion>(in on, in material, in start, ref first, dt, out PlaneMotionStep step);
-        if (MayEnd<TMotion>(in on, in material, in start, in first, in step, dt))
+        Integrate<TMotion>(in on, in material, in start, along, ref first, dt, out PlaneMotionStep step);
+        if (MayEnd<TMotion>(in on, in material, in start, along, in first, in step, dt))
         {
             return false;
         }
 
-        double alongX = dt * step.Mean.VX;
-        double alongZ = dt * step.Mean.VZ;
+        double wayX = dt * step.Mean.VX;
+        double wayZ = dt * step.Mean.VZ;
         Vector3d position = _law.Axes.IsLevel
-            ? new Vector3d(s.Position.X + alongX, s.Position.Y, s.Position.Z + alongZ)
-            : s.Position + (alongX * _law.Axes.X) + (alongZ * _law.Axes.Z);
+            ? new Vector3d(s.Position.X + wayX, s.Position.Y, s.Position.Z + wayZ)
+            : s.Position + (wayX * _law.Axes.X) + (wayZ * _law.Axes.Z);
         if (_materials.Length > 1 && _world.Ground!.PatchAt(in position) != patch)
         {
             return false;
@@ -149,7 +149,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         Vector3d turn = Turn(in start, in step, dt);
         if (log.IsWatched)
         {
-            MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, in first, in step.End, dt, end, alongX, alongZ);
+            MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, along, in step.End, dt, end, wayX, wayZ);
             return true;
         }
 
@@ -202,7 +202,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Evaluates the integrator's stages; each starts from the initial state, with the rates of the previous stage.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Integrate<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, ref PlaneRates first, double dt, out PlaneMotionStep step)
+    private void Integrate<TMotion>(
+        in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, PlaneAcceleration along, ref PlaneRates first, double dt, out PlaneMotionStep step)
         where TMotion : struct, ISurfaceMotion
     {
         bool rolls = default(TMotion).Rolls;
@@ -212,8 +213,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double sumWX = rolls ? 0 : weight * start.WX;
         double sumWY = weight * start.WY;
         double sumWZ = rolls ? 0 : weight * start.WZ;
-        double sumAX = weight * first.AX;
-        double sumAZ = weight * first.AZ;
+        double sumAX = weight * along.X;
+        double sumAZ = weight * along.Z;
         double sumBX = rolls ? 0 : weight * first.BX;
         double sumBY = weight * first.BY;
         double sumBZ = rolls ? 0 : weight * first.BZ;
@@ -233,8 +234,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             double h = _offsets[stage] * dt;
             double wayX = h * at.VX;
             double wayZ = h * at.VZ;
-            double vx = start.VX + (h * rates.AX);
-            double vz = start.VZ + (h * rates.AZ);
+            double vx = start.VX + (h * along.X);
+            double vz = start.VZ + (h * along.Z);
             double wx = rolls ? vz * _perRadius : start.WX + (h * rates.BX);
             double wy = start.WY + (h * rates.BY);
             double wz = rolls ? -vx * _perRadius : start.WZ + (h * rates.BZ);
@@ -243,14 +244,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             at.WX = wx;
             at.WY = wy;
             at.WZ = wz;
-            _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, h, wayX, wayZ, out stageRates);
+            along = _law.RatesOf<TMotion>(in on, in material, vx, vz, wx, wy, wz, h, wayX, wayZ, out stageRates);
             rates = ref stageRates;
             weight = _weights[stage];
             sumVX += weight * at.VX;
             sumVZ += weight * at.VZ;
             sumWY += weight * at.WY;
-            sumAX += weight * rates.AX;
-            sumAZ += weight * rates.AZ;
+            sumAX += weight * along.X;
+            sumAZ += weight * along.Z;
             sumBY += weight * rates.BY;
             if (!rolls)
             {
@@ -279,7 +280,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>True if the slip, roll, load, grip or spin about the normal may end, or the drag law may jump.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool MayEnd<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, in PlaneRates first, in PlaneMotionStep step, double dt)
+    private bool MayEnd<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion start, PlaneAcceleration along, in PlaneRates first, in PlaneMotionStep step, double dt)
         where TMotion : struct, ISurfaceMotion
     {
         // Extrapolate the load at the end from the stages.
@@ -295,7 +296,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         return !((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _law.Weight) || !(load > Slight * _law.Weight)
             || (rolls && (energy <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, step.TractionSquared) <= friction * friction)))
             || start.WY * end.WY < 0
-            || (_locatesJump && _law.MayCrossJump(in on, in start, in first, in end, dt));
+            || (_locatesJump && _law.MayCrossJump(in on, in start, along, in first, in end, dt));
     }
 
     /// <summary>Returns the rotation over a step whose spin axis turns too, rad.</summary>
@@ -324,20 +325,20 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// <summary>Moves the ball, and reports the piece to the observer.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void MoveAndShow<TMotion>(
-        StepLog log, ref BallState s, in PlaneStart on, in PlaneMaterial material, in Vector3d position, in Vector3d turn, in PlaneRates first,
-        in PlaneMotion last, double dt, double end, double alongX, double alongZ)
+        StepLog log, ref BallState s, in PlaneStart on, in PlaneMaterial material, in Vector3d position, in Vector3d turn, PlaneAcceleration along,
+        in PlaneMotion last, double dt, double end, double wayX, double wayZ)
         where TMotion : struct, ISurfaceMotion
     {
         BallState before = s;
         Move(ref s, in on, in position, in turn, in last, end);
-        PlaneRates rates = default;
-        Vector3d start = _law.Axes.InWorld(first.AX, 0, first.AZ);
+        PlaneAcceleration atEnd = default;
+        Vector3d start = _law.Axes.InWorld(along.X, 0, along.Z);
         if (log.WantsEnd(in before, in s, in start))
         {
-            _law.RatesOf<TMotion>(in on, in material, last.VX, last.VZ, last.WX, last.WY, last.WZ, dt, alongX, alongZ, out rates);
+            atEnd = _law.RatesOf<TMotion>(in on, in material, last.VX, last.VZ, last.WX, last.WY, last.WZ, dt, wayX, wayZ, out _);
             log.Evaluations++;
         }
 
-        log.Show(in before, in s, in start, _law.Axes.InWorld(rates.AX, 0, rates.AZ), _order);
+        log.Show(in before, in s, in start, _law.Axes.InWorld(atEnd.X, 0, atEnd.Z), _order);
     }
 }

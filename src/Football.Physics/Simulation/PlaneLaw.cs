@@ -82,8 +82,9 @@ internal sealed class PlaneLaw<TAir>
     /// The laws of the air have a long latency, so everything else is summed meanwhile: a = A + lift B − drag C − decay D.
     /// B and C contain the air's share in the load, and so in friction.
     /// </remarks>
+    /// <returns>The acceleration along the plane, m/s².</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void RatesOf<TMotion>(
+    public PlaneAcceleration RatesOf<TMotion>(
         in PlaneStart on, in PlaneMaterial material, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
         where TMotion : struct, ISurfaceMotion
     {
@@ -124,14 +125,13 @@ internal sealed class PlaneLaw<TAir>
                 - ((drag * ((_airInRoll * ux) + (upByDrag * fx))) + (decay * (_decayInRoll * vx)));
             double az = (_bodyZInRoll - (Weight * fz)) + (lift * ((_airInRoll * crossZ) + (upByLift * fz)))
                 - ((drag * ((_airInRoll * uz) + (upByDrag * fz))) + (decay * (_decayInRoll * vz)));
-            rates.AX = ax;
-            rates.AZ = az;
             rates.BX = az * _perRadius;
             rates.BZ = -ax * _perRadius;
             double tractionX = _bodyXInTraction + (_airInTraction * ((lift * crossX) - (drag * ux) + (decay * vx)));
             double tractionZ = _bodyZInTraction + (_airInTraction * ((lift * crossZ) - (drag * uz) + (decay * vz)));
             rates.TractionSquared = (tractionX * tractionX) + (tractionZ * tractionZ);
             rates.BrakingSquared = 0;
+            return new PlaneAcceleration(ax, az);
         }
         else
         {
@@ -144,8 +144,8 @@ internal sealed class PlaneLaw<TAir>
             sz = slips ? perSize * sz : on.Z;
             double fx = material.Sliding * sx;
             double fz = material.Sliding * sz;
-            rates.AX = (_bodyX - (Weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
-            rates.AZ = (_bodyZ - (Weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
+            double ax = (_bodyX - (Weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
+            double az = (_bodyZ - (Weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
 
             // n × ŝ. If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
             double turning = material.SlidingTorque * load;
@@ -154,6 +154,7 @@ internal sealed class PlaneLaw<TAir>
             rates.BZ = -((turning * sx) + (slowing * wz));
             rates.TractionSquared = 0;
             rates.BrakingSquared = spins ? decay * decay * spinSquared : decay * decay;
+            return new PlaneAcceleration(ax, az);
         }
     }
 
@@ -170,13 +171,13 @@ internal sealed class PlaneLaw<TAir>
     }
 
     /// <summary>True if the step may have crossed the jump in the drag law (conservative).</summary>
-    public bool MayCrossJump(in PlaneStart on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
+    public bool MayCrossJump(in PlaneStart on, in PlaneMotion start, PlaneAcceleration along, in PlaneRates rates, in PlaneMotion end, double h)
     {
         DragJump from = JumpAt(in start);
         double ux = start.VX - WindX;
         double uz = start.VZ - WindZ;
         var change = DragJump.Rate(
-            2.0 * ((ux * rates.AX) + (uz * rates.AZ)), 2.0 * _radiusSquared * ((start.WX * rates.BX) + (start.WY * rates.BY) + (start.WZ * rates.BZ)));
+            2.0 * ((ux * along.X) + (uz * along.Z)), 2.0 * _radiusSquared * ((start.WX * rates.BX) + (start.WY * rates.BY) + (start.WZ * rates.BZ)));
         DragJump to = JumpAt(in end);
         return DragJump.MayCross(on.Branch, in from, in change, in to, h);
     }

@@ -95,12 +95,17 @@ internal struct PlaneMotion
     public readonly double SpinSquared => (WX * WX) + (WY * WY) + (WZ * WZ);
 }
 
-/// <summary>Rates of change of the motion, the load per mass, the squared traction of a roll per mass, and the squared braking of the
+/// <summary>The acceleration along the plane, m/s². Two numbers are returned in registers, so that the next stage does not wait for memory.</summary>
+internal readonly struct PlaneAcceleration(double x, double z)
+{
+    public readonly double X = x;
+    public readonly double Z = z;
+}
+
+/// <summary>The rate of change of the spin, the load per mass, the squared traction of a roll per mass, and the squared braking of the
 /// spin by the air in a slide.</summary>
 internal struct PlaneRates
 {
-    public double AX;
-    public double AZ;
     public double BX;
     public double BY;
     public double BZ;
