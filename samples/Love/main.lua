@@ -1,7 +1,7 @@
 -- A free kick over a wall with LÖVE 11 and the C library. Aim with the mouse or the arrow keys. A and D change the sidespin, W and S the topspin.
 -- Hold the mouse button or the space bar for power, and release it to kick. R resets the ball.
 --   love samples/Love                        play
---   love samples/Love --picture FILE.png     kick once, write a picture and print: Goal! hash f8bf87ed1118965a
+--   love samples/Love --picture FILE.png     kick once, write a picture and print: Goal! hash 44123208c9f0f689
 local ffi, bit, draw, STEP, GOAL, WALL, FOCAL, HORIZON = require("ffi"), require("bit"), love.graphics, 1 / 60, -22, -9.15, 1000, 170
 if arg[2] == "--picture" then love.errorhandler = print end
 

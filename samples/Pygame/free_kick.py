@@ -2,7 +2,7 @@
 Hold the mouse button for power, and release it to kick. R resets the ball. Needs the wheel of football_physics and Debian's python3-pygame.
 
     python3 samples/Pygame/free_kick.py                        play
-    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash f8bf87ed1118965a
+    python3 samples/Pygame/free_kick.py --picture FILE.png     kick once without a window, write a picture and print: Goal! hash 44123208c9f0f689
 """
 
 import os
