@@ -3,7 +3,7 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Tracks;
 
 /// <summary>Builds the pieces of a match from its flights: the parts between them, and the events.</summary>
-internal sealed class MatchPieces
+internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Simulator at, double contact)
 {
     /// <summary>The maximum number of points between two flights, because trackers smooth over a touch.</summary>
     private const int Between = 3;
@@ -33,22 +33,12 @@ internal sealed class MatchPieces
     /// <summary>The uncertainty of a change of horizontal velocity, in m/s.</summary>
     private const double UnsureChange = 1;
 
-    private readonly TrackPoint[] _track;
-    private readonly TrackRuns _runs;
-    private readonly FlightEquations _equations;
-    private readonly Simulator _at;
-    private readonly double _upward;
-    private readonly double _contact;
-
-    public MatchPieces(TrackRuns runs, FlightEquations equations, Simulator at, double contact)
-    {
-        _runs = runs;
-        _track = runs.Points;
-        _equations = equations;
-        _at = at;
-        _upward = Weight.UpwardAcceleration(at.Scene);
-        _contact = contact;
-    }
+    private readonly TrackPoint[] _track = runs.Points;
+    private readonly TrackRuns _runs = runs;
+    private readonly FlightEquations _equations = equations;
+    private readonly Simulator _at = at;
+    private readonly double _upward = Weight.UpwardAcceleration(at.Scene);
+    private readonly double _contact = contact;
 
     /// <summary>Returns the heights at which the ball is on the ground: between a falling and a rising flight, and where it neither rises nor
     /// falls.</summary>

@@ -40,7 +40,7 @@ internal sealed class SceneTangent : TangentObserver
     public SceneTangent(Scene scene, in SceneAir air)
     {
         _around = new Surroundings(scene, in air);
-        _impacts = new ImpactMap(scene, _around);
+        _impacts = new ImpactMap(_around);
         _surface = new EventSurface(_around);
         _flight = new FlightTangent(_around);
         _now = new LocalFlight(_around);

@@ -190,24 +190,20 @@ public sealed class Foot
     }
 
     /// <summary>A fraction of a wanted kick: its speed and its change of spin are scaled.</summary>
-    private readonly struct Part : ICondition
+    private readonly struct Part(
+        Foot foot,
+        BallProperties ball,
+        in Vector3d velocity,
+        in Vector3d spin,
+        in Vector3d wantedVelocity,
+        in Vector3d wantedSpin) : ICondition
     {
-        private readonly Foot _foot;
-        private readonly BallProperties _ball;
-        private readonly Vector3d _velocity;
-        private readonly Vector3d _spin;
-        private readonly Vector3d _wantedVelocity;
-        private readonly Vector3d _wantedSpin;
-
-        public Part(Foot foot, BallProperties ball, in Vector3d velocity, in Vector3d spin, in Vector3d wantedVelocity, in Vector3d wantedSpin)
-        {
-            _foot = foot;
-            _ball = ball;
-            _velocity = velocity;
-            _spin = spin;
-            _wantedVelocity = wantedVelocity;
-            _wantedSpin = wantedSpin;
-        }
+        private readonly Foot _foot = foot;
+        private readonly BallProperties _ball = ball;
+        private readonly Vector3d _velocity = velocity;
+        private readonly Vector3d _spin = spin;
+        private readonly Vector3d _wantedVelocity = wantedVelocity;
+        private readonly Vector3d _wantedSpin = wantedSpin;
 
         /// <summary>Returns the strike for a fraction.</summary>
         public FootStrike Of(double share) =>

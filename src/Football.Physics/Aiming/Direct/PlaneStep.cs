@@ -196,20 +196,12 @@ internal sealed class PlaneStep
 }
 
 /// <summary>The derivative of the crossing of a plane (up, left) with respect to elevation and azimuth, in m/rad.</summary>
-internal struct CrossingJacobian
+internal struct CrossingJacobian(double upByElevation, double upByAzimuth, double leftByElevation, double leftByAzimuth)
 {
-    private double _upByElevation;
-    private double _upByAzimuth;
-    private double _leftByElevation;
-    private double _leftByAzimuth;
-
-    public CrossingJacobian(double upByElevation, double upByAzimuth, double leftByElevation, double leftByAzimuth)
-    {
-        _upByElevation = upByElevation;
-        _upByAzimuth = upByAzimuth;
-        _leftByElevation = leftByElevation;
-        _leftByAzimuth = leftByAzimuth;
-    }
+    private double _upByElevation = upByElevation;
+    private double _upByAzimuth = upByAzimuth;
+    private double _leftByElevation = leftByElevation;
+    private double _leftByAzimuth = leftByAzimuth;
 
     /// <summary>The derivative of the crossing's height with respect to elevation, in m/rad.</summary>
     public readonly double UpByElevation => _upByElevation;

@@ -106,18 +106,13 @@ internal abstract class TouchProblem : ILeastSquares
 }
 
 /// <summary>A dribbling touch: solves for the horizontal velocity and, if necessary, the topspin, that give the wanted position and speed.</summary>
-internal sealed class DribbleProblem : TouchProblem
+internal sealed class DribbleProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, 3)
 {
     private const double Close = 2e-4;
     private bool _spins;
     private double _after;
     private Vector3d _place;
     private double _pace;
-
-    public DribbleProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 3)
-    {
-    }
 
     public override int Unknowns => 3;
 
@@ -170,16 +165,11 @@ internal sealed class DribbleProblem : TouchProblem
 }
 
 /// <summary>A trap: solves for the horizontal velocity after which the ball, with its remaining spin, settles as required.</summary>
-internal sealed class TrapProblem : TouchProblem
+internal sealed class TrapProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, 2)
 {
     private const double Close = 1e-3;
     private Vector3d _velocity;
     private double _after;
-
-    public TrapProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 2)
-    {
-    }
 
     public override int Unknowns => 2;
 
@@ -216,7 +206,7 @@ internal sealed class TrapProblem : TouchProblem
 }
 
 /// <summary>A first-time shot: solves for elevation and azimuth at a given speed, from the point at which the ball crosses the target plane.</summary>
-internal sealed class FirstTimeProblem : TouchProblem
+internal sealed class FirstTimeProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, 2)
 {
     private const double Degree = Math.PI / 180.0;
     private const double Longest = 6;
@@ -227,11 +217,6 @@ internal sealed class FirstTimeProblem : TouchProblem
     private Plane3d _plane;
     private Vector3d _aside;
     private double _speed;
-
-    public FirstTimeProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 2)
-    {
-    }
 
     public override int Unknowns => 2;
 

@@ -4,7 +4,7 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Prediction;
 
 /// <summary>Computes a goalkeeper's response to a shot.</summary>
-internal readonly struct KeeperSearch
+internal readonly struct KeeperSearch(PathSpans spans, WindowList found)
 {
     /// <summary>The shortest interval of successful reactions that is always found, in s.</summary>
     private const double Shortest = 1e-6;
@@ -18,14 +18,8 @@ internal readonly struct KeeperSearch
     /// <summary>The maximum number of intervals of all tries: on such a path, each try takes many.</summary>
     private const long MostIntervals = 1 << 22;
 
-    private readonly PathSpans _spans;
-    private readonly WindowList _found;
-
-    public KeeperSearch(PathSpans spans, WindowList found)
-    {
-        _spans = spans;
-        _found = found;
-    }
+    private readonly PathSpans _spans = spans;
+    private readonly WindowList _found = found;
 
     /// <summary>Runs the search.</summary>
     public KeeperResult Run(Trajectory path, in Player keeper, Goal goal, double now)
@@ -128,22 +122,13 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>True if he no longer reaches the ball with this reaction.</summary>
-    private readonly struct TooLate : ICondition
+    private readonly struct TooLate(KeeperSearch search, Player keeper, double now, double begin, double end) : ICondition
     {
-        private readonly KeeperSearch _search;
-        private readonly Player _keeper;
-        private readonly double _now;
-        private readonly double _begin;
-        private readonly double _end;
-
-        public TooLate(KeeperSearch search, Player keeper, double now, double begin, double end)
-        {
-            _search = search;
-            _keeper = keeper;
-            _now = now;
-            _begin = begin;
-            _end = end;
-        }
+        private readonly KeeperSearch _search = search;
+        private readonly Player _keeper = keeper;
+        private readonly double _now = now;
+        private readonly double _begin = begin;
+        private readonly double _end = end;
 
         public bool Evaluate(double x, out bool holds)
         {

@@ -4,19 +4,12 @@ using FootballPhysics.Tool.Sweep.Columns;
 namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Computes rows, on one thread.</summary>
-internal abstract class RowMaker
+internal abstract class RowMaker(SweepPlan plan, int capacity)
 {
-    private readonly int _capacity;
+    private readonly int _capacity = capacity;
     private IReadOnlyList<ColumnSource>? _sources;
     private IReadOnlyList<ColumnSource>? _chosen;
     private IReadOnlyList<ColumnData>? _columns;
-
-    protected RowMaker(SweepPlan plan, int capacity)
-    {
-        Plan = plan;
-        Draws = new RowDraws(plan, capacity);
-        _capacity = capacity;
-    }
 
     /// <summary>All possible columns.</summary>
     public IReadOnlyList<ColumnSource> Sources => _sources ??= [.. DrawnSources(), .. AnswerSources()];
@@ -26,9 +19,9 @@ internal abstract class RowMaker
     /// <summary>The number of the last rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</summary>
     public abstract long? FlownSingly { get; }
 
-    protected SweepPlan Plan { get; }
+    protected SweepPlan Plan { get; } = plan;
 
-    protected RowDraws Draws { get; }
+    protected RowDraws Draws { get; } = new(plan, capacity);
 
     private IReadOnlyList<ColumnSource> Chosen => _chosen ??= Plan.Row.Columns.Count == 0
         ? [.. Sources.Where(source => source.IsDefault)]
