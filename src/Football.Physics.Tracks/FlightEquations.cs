@@ -158,7 +158,7 @@ internal sealed class FlightEquations
             var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
             for (int j = 0; j < size; j++)
             {
-                Vector3d left = Weighted(j < 3 ? Axis(j) : jacobian[j][i], in weights);
+                Vector3d left = Weighted(j < 3 ? Vector3d.Axis(j) : jacobian[j][i], in weights);
                 gradient[j] += Vector3d.Dot(in left, in miss);
                 if (j < Launch)
                 {
@@ -167,7 +167,7 @@ internal sealed class FlightEquations
 
                 for (int k = 0; k <= j; k++)
                 {
-                    normal[(j * size) + k] += k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]);
+                    normal[(j * size) + k] += k < 3 ? left.Along(k) : Vector3d.Dot(in left, in jacobian[k][i]);
                 }
             }
         }
@@ -175,9 +175,9 @@ internal sealed class FlightEquations
         Vector3d perSpin = PerSpin(flight);
         for (int j = 6; j < Launch; j++)
         {
-            double known = Component(in perSpin, j - 6);
+            double known = perSpin.Along(j - 6);
             normal[(j * size) + j] += known;
-            gradient[j] += known * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
+            gradient[j] += known * (flight.LikelySpin.Along(j - 6) - flight.Values[j]);
         }
 
         for (int j = 0; j < size; j++)
@@ -247,8 +247,4 @@ internal sealed class FlightEquations
             _other = new Vector3d[2 * count];
         }
     }
-
-    private static Vector3d Axis(int i) => new(i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0);
-
-    public static double Component(in Vector3d v, int i) => i == 0 ? v.X : i == 1 ? v.Y : v.Z;
 }

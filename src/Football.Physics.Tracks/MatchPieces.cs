@@ -212,8 +212,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     private void AddRest(List<MatchPiece> steady, List<FlightPath?> paths, IReadOnlyList<int> ends, int first, int end, bool follows)
     {
         // A few points between two flights belong to the event there.
-        bool isWhole = end - first <= Between && follows && end < _track.Length && !HasGap(first - 1, end);
-        if (isWhole)
+        if (end - first <= Between && follows && end < _track.Length && !HasGap(first - 1, end))
         {
             return;
         }
@@ -222,10 +221,8 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
         while (from < end)
         {
             AddGap(steady, paths, from);
-            int to = from + 1;
-            int last = PieceEnd(ends, from, end);
-            bool low = IsLow(from, last);
-            to = last;
+            int to = PieceEnd(ends, from, end);
+            bool low = IsLow(from, to);
             while (to < end && !_runs.IsGap(_track[to - 1].Time, _track[to].Time))
             {
                 int next = PieceEnd(ends, to, end);
@@ -309,8 +306,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
         double time = 0.5 * (_track[at - 1].Time + _track[at].Time);
         double span = Math.Min(_track[at - 1].Time - _track[before].Time, _track[after - 1].Time - _track[at].Time);
         Vector3d change = TrackPolynomial.Of(_track, at, after, 1).VelocityAt(time) - TrackPolynomial.Of(_track, before, at, 1).VelocityAt(time);
-        change = new Vector3d(change.X, 0, change.Z);
-        return change.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
+        return change.Horizontal.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
     }
 
     /// <summary>Creates a piece that no law of flight describes, from the cubics of the division.</summary>
@@ -411,8 +407,8 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     /// <summary>Returns an impact if the velocities allow one; otherwise a touch.</summary>
     private MatchPiece ImpactOr(double time, Vector3d place, Vector3d before, Vector3d spinBefore, Vector3d after, Vector3d spin, FlightPath? flight)
     {
-        var along = new Vector3d(before.X, 0, before.Z);
-        var left = new Vector3d(after.X, 0, after.Z);
+        Vector3d along = before.Horizontal;
+        Vector3d left = after.Horizontal;
         double speed = along.Length;
         double restitution = before.Y < 0 ? Math.Max(0, after.Y) / -before.Y : double.PositiveInfinity;
         double kept = speed > 0 ? Vector3d.Dot(in along, in left) / (speed * speed) : 1;

@@ -190,7 +190,7 @@ internal sealed class SharedFit
                     double sum = (scatter * covariance[(i * Launch) + j]) + (off[f][i] * off[f][j]);
                     for (int k = 0; k < 3; k++)
                     {
-                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * FlightEquations.Component(in known, k) * covariance[((6 + k) * Launch) + j];
+                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * known.Along(k) * covariance[((6 + k) * Launch) + j];
                     }
 
                     for (int k = 0; k < _shared * _shared; k++)
