@@ -150,14 +150,7 @@ internal sealed class PassJudge
         request.Kick(index, out velocity, out spin);
         BallState ball = _simulator.Launch(request.From, velocity, spin);
         bool rolls = ball.Motion != MotionState.Airborne;
-        LookAheadRequest to = rolls ? _toRest[seconds] : _toImpact[seconds];
-        _simulator.LookAhead(in ball, to, _path);
-        while (!_path.IsComplete)
-        {
-            _path = new Trajectory(2 * _path.Pieces.Length);
-            _simulator.LookAhead(in ball, to, _path);
-        }
-
+        _simulator.LookAheadWhole(in ball, rolls ? _toRest[seconds] : _toImpact[seconds], ref _path);
         return rolls ? _path.Final.Motion == MotionState.Rest : _path.TryGetTouchdown(0, out _);
     }
 }

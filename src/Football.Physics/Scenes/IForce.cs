@@ -21,8 +21,6 @@ public interface IForce
 
     private sealed class FunctionForce(Func<ForceContext, Vector3d> force) : IForce
     {
-        private readonly Func<ForceContext, Vector3d> _force = force;
-
-        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(_force(ball));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(force(ball));
     }
 }

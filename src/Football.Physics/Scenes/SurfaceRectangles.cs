@@ -58,11 +58,6 @@ public sealed class SurfaceRectangles : ISurfacePattern
 
     private readonly struct Rectangle(double minX, double minZ, double maxX, double maxZ)
     {
-        private readonly double _minX = minX;
-        private readonly double _minZ = minZ;
-        private readonly double _maxX = maxX;
-        private readonly double _maxZ = maxZ;
-
-        public bool Holds(double x, double z) => x >= _minX && x <= _maxX && z >= _minZ && z <= _maxZ;
+        public bool Holds(double x, double z) => x >= minX && x <= maxX && z >= minZ && z <= maxZ;
     }
 }

@@ -35,13 +35,7 @@ internal readonly struct KeeperSearch(PathSpans spans, WindowList found)
         InterceptWindow first = saves ? _found.Items[0] : default;
 
         // The keeper covers the part of the goal line that is within his circle when the ball arrives.
-        var motion = new RunnerMotion(in keeper, now);
-        motion.MiddleAt(end, out double x, out double z);
-        var middle = new Vector3d(x, 0, z);
-        double off = mouth.BeforeMouth(in middle);
-        mouth.Place(in middle, out double aside, out _);
-        double radius = motion.RadiusAt(end);
-        double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
+        new RunnerMotion(in keeper, now).Covers(in mouth, end, out double left, out double right);
 
         // The lateral offset and height of the crossing decide whether the shot is on target.
         mouth.Place(crossing.Position, out double ballAside, out double height);
@@ -51,8 +45,8 @@ internal readonly struct KeeperSearch(PathSpans spans, WindowList found)
             Crossing = crosses ? crossing : default,
             LateralOffset = crosses ? ballAside : 0,
             IsOnTarget = crosses && mouth.IsOpen(ballAside, height),
-            ReachLeft = Math.Max(-0.5 * goal.Width, aside - half),
-            ReachRight = Math.Min(0.5 * goal.Width, aside + half),
+            ReachLeft = Math.Max(-0.5 * goal.Width, left),
+            ReachRight = Math.Min(0.5 * goal.Width, right),
             ReachHeight = Math.Min(goal.Height, keeper.MaximumHeight - goal.Center.Y),
             Saves = saves,
             Save = saves ? new PathPoint(first.From, first.Position, first.Velocity, 0) : default,
@@ -124,15 +118,9 @@ internal readonly struct KeeperSearch(PathSpans spans, WindowList found)
     /// <summary>True if he no longer reaches the ball with this reaction.</summary>
     private readonly struct TooLate(KeeperSearch search, Player keeper, double now, double begin, double end) : ICondition
     {
-        private readonly KeeperSearch _search = search;
-        private readonly Player _keeper = keeper;
-        private readonly double _now = now;
-        private readonly double _begin = begin;
-        private readonly double _end = end;
-
         public bool Evaluate(double x, out bool holds)
         {
-            holds = !_search.Meets(_keeper.Reacting(x), _now, _begin, _end);
+            holds = !search.Meets(keeper.Reacting(x), now, begin, end);
             return false;
         }
     }

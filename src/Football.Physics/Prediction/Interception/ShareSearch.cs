@@ -76,7 +76,7 @@ internal sealed class ShareSearch(PathSpans path, WindowList windows)
             // Bisect for the first change of owner, then continue from there until the owner at the end is reached.
             double low = a;
             double high = b;
-            var changed = new OwnerChanged(this, in span, middle, owner);
+            var changed = new OwnerChanged(this, span, middle, owner);
             Roots.Bisect(ref changed, ref low, ref high, Halvings);
             Add(owner, a, high, lead);
             a = high;
@@ -156,16 +156,11 @@ internal sealed class ShareSearch(PathSpans path, WindowList windows)
     }
 
     /// <summary>True if the ball belongs to another player.</summary>
-    private readonly struct OwnerChanged(ShareSearch search, in PathSpan span, double window, int owner) : ICondition
+    private readonly struct OwnerChanged(ShareSearch search, PathSpan span, double window, int owner) : ICondition
     {
-        private readonly ShareSearch _search = search;
-        private readonly PathSpan _span = span;
-        private readonly double _window = window;
-        private readonly int _owner = owner;
-
         public bool Evaluate(double x, out bool holds)
         {
-            holds = _search.Owner(in _span, x, _window, out _) != _owner;
+            holds = search.Owner(in span, x, window, out _) != owner;
             return false;
         }
     }
