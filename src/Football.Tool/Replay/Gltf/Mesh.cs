@@ -99,16 +99,7 @@ internal sealed class Mesh
     /// <summary>Returns the panels of a ball of radius 1: the twelve pentagons of a truncated icosahedron, or its twenty hexagons.</summary>
     public static Mesh Panels(bool pentagons)
     {
-        double golden = (1 + Math.Sqrt(5)) / 2;
-        List<Vector3d> corners = [];
-        foreach (double a in (double[])[-1, 1])
-        {
-            foreach (double b in (double[])[-golden, golden])
-            {
-                corners.AddRange([new(0, a, b), new(a, b, 0), new(b, 0, a)]);
-            }
-        }
-
+        Vector3d[] corners = Icosahedron.Corners;
         bool Near(Vector3d a, Vector3d b) => Math.Abs((a - b).Length - 2) < 1e-9;
         Vector3d Cut(Vector3d from, Vector3d to) => (2 * from) + to;
         IEnumerable<Vector3d[]> panels = pentagons
@@ -127,7 +118,7 @@ internal sealed class Mesh
 
         return mesh;
 
-        bool Before(Vector3d a, Vector3d b) => corners.IndexOf(a) < corners.IndexOf(b);
+        bool Before(Vector3d a, Vector3d b) => Array.IndexOf(corners, a) < Array.IndexOf(corners, b);
     }
 
     private void Add(Vector3d position, Vector3d normal)
