@@ -240,12 +240,7 @@ public sealed class MatchFit
     private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, FitWatch watch)
     {
         SharedFit? best = null;
-        var launches = new double[flights.Count][];
-        for (int i = 0; i < flights.Count; i++)
-        {
-            launches[i] = flights[i].Values;
-        }
-
+        double[][] launches = [.. flights.Select(flight => flight.Values)];
         double[][]? found = null;
         foreach (double[] start in model.Starts)
         {
@@ -259,7 +254,7 @@ public sealed class MatchFit
             if (best is null || fit.Cost < best.Cost)
             {
                 best = fit;
-                found = flights.ConvertAll(f => f.Values).ToArray();
+                found = [.. flights.Select(flight => flight.Values)];
             }
         }
 

@@ -283,12 +283,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     /// <summary>True if half of the points are as low as a ball on the ground.</summary>
     private bool IsLow(int first, int end)
     {
-        double[] heights = new double[end - first];
-        for (int i = first; i < end; i++)
-        {
-            heights[i - first] = _track[i].Position.Y;
-        }
-
+        double[] heights = Array.ConvertAll(_track[first..end], point => point.Position.Y);
         Array.Sort(heights);
         return heights[heights.Length / 2] < _contact + Hop;
     }

@@ -130,12 +130,7 @@ internal sealed class SharedFit
     public static double[] Shares(IReadOnlyList<FlightPath> flights)
     {
         double[] shares = new double[flights.Count];
-        double[] sorted = new double[flights.Count];
-        for (int i = 0; i < shares.Length; i++)
-        {
-            sorted[i] = flights[i].Rms;
-        }
-
+        double[] sorted = [.. flights.Select(flight => flight.Rms)];
         Array.Sort(sorted);
         double usual = sorted.Length > 0 ? sorted[sorted.Length / 2] : 0;
         for (int i = 0; i < shares.Length; i++)
