@@ -156,7 +156,7 @@ internal sealed class SketchedBall
     /// <summary>Returns the twelve pentagons around the corners of an icosahedron.</summary>
     private static (Vector3d Middle, Vector3d[] Corners)[] Panels()
     {
-        Vector3d[] corners = Icosahedron.Corners;
+        Vector3d[] corners = Gltf.Mesh.Icosahedron;
         return [.. corners.Select(corner =>
         {
             Vector3d[] near = [.. corners.Where(other => Math.Abs((other - corner).Length - 2) < 1e-6)];
