@@ -59,19 +59,7 @@ public sealed class BallBatch
 
     /// <summary>The number of balls in the last run that were simulated one by one, in double precision.</summary>
     /// <remarks>This number includes all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
-    public int ScalarFallbackCount
-    {
-        get
-        {
-            int sum = 0;
-            foreach (BatchWorker worker in _workers)
-            {
-                sum += worker.FlownSingly;
-            }
-
-            return sum;
-        }
-    }
+    public int ScalarFallbackCount => _workers.Sum(worker => worker.FlownSingly);
 
     /// <summary>Simulates the first balls of an array of launches.</summary>
     /// <param name="launches">The launches.</param>

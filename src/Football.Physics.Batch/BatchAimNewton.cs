@@ -2,7 +2,8 @@ namespace FootballPhysics.Batch;
 
 /// <summary>One Newton iteration on the crossing of the target's plane for kicks of a batch, from a flight in SIMD lanes.</summary>
 /// <remarks>The method is that of <see cref="PlaneNewton"/>.</remarks>
-internal sealed class BatchAimNewton
+/// <param name="context">The scene, compiled for aiming.</param>
+internal sealed class BatchAimNewton(AimContext context)
 {
     /// <summary>The share to which an iteration must reduce the miss.</summary>
     private const double Progress = 0.7;
@@ -13,15 +14,8 @@ internal sealed class BatchAimNewton
     /// <summary>The smallest share of the speed that must point towards the target.</summary>
     private const double LeastForward = 0.5;
 
-    private readonly double _windUp;
-    private readonly double _upward;
-
-    /// <param name="context">The scene, compiled for aiming.</param>
-    public BatchAimNewton(AimContext context)
-    {
-        _windUp = context.Scene.Air.Wind.Y;
-        _upward = context.Upward;
-    }
+    private readonly double _windUp = context.Scene.Air.Wind.Y;
+    private readonly double _upward = context.Upward;
 
     /// <summary>Reads the crossing from a flight, and corrects the kick.</summary>
     /// <param name="s">The kick.</param>

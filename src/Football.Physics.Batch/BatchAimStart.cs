@@ -1,7 +1,9 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>Computes the frame of a target and a first kick in closed form.</summary>
-internal sealed class BatchAimStart
+/// <param name="context">The scene, compiled for aiming.</param>
+/// <param name="timeStep">The step of the flights, in s.</param>
+internal sealed class BatchAimStart(AimContext context, double timeStep)
 {
     /// <summary>The range of horizontal distances to the target, in m.</summary>
     private const double Nearest = 0.1;
@@ -11,20 +13,10 @@ internal sealed class BatchAimStart
     private const double LeastForward = 0.5;
     private const double LongestTime = 8;
 
-    private readonly Simulator _simulator;
-    private readonly LaneDomain _domain;
-    private readonly Vector3d _wind;
-    private readonly double _upward;
-
-    /// <param name="context">The scene, compiled for aiming.</param>
-    /// <param name="timeStep">The step of the flights, in s.</param>
-    public BatchAimStart(AimContext context, double timeStep)
-    {
-        _simulator = context.Game;
-        _domain = new LaneDomain(context.Scene, timeStep);
-        _wind = context.Scene.Air.Wind;
-        _upward = context.Upward;
-    }
+    private readonly Simulator _simulator = context.Game;
+    private readonly LaneDomain _domain = new(context.Scene, timeStep);
+    private readonly Vector3d _wind = context.Scene.Air.Wind;
+    private readonly double _upward = context.Upward;
 
     /// <summary>Prepares a request.</summary>
     /// <returns>False if the request is left to the single aimer.</returns>

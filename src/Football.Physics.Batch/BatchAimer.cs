@@ -44,34 +44,10 @@ public sealed class BatchAimer
     public Scene Scene { get; }
 
     /// <summary>The number of requests in the last call that an <see cref="Aimer"/> handled.</summary>
-    public int ScalarFallbackCount
-    {
-        get
-        {
-            int sum = 0;
-            foreach (BatchAimWorker worker in _workers)
-            {
-                sum += worker.FlownSingly;
-            }
-
-            return sum;
-        }
-    }
+    public int ScalarFallbackCount => _workers.Sum(worker => worker.FlownSingly);
 
     /// <summary>The number of SIMD flights in the last call.</summary>
-    public long Flights
-    {
-        get
-        {
-            long sum = 0;
-            foreach (BatchAimWorker worker in _workers)
-            {
-                sum += worker.Flights;
-            }
-
-            return sum;
-        }
-    }
+    public long Flights => _workers.Sum(worker => worker.Flights);
 
     /// <summary>Finds the kicks for the first requests of an array.</summary>
     /// <param name="aims">The requests.</param>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Batch;
@@ -91,11 +90,10 @@ public sealed class BatchAims
             return;
         }
 
-        string at = string.Format(CultureInfo.InvariantCulture, "[{0}]", index);
-        Check.Place("aim.from" + at, from);
-        Check.Place("aim.target" + at, target);
-        Check.Within("aim.speed" + at, speed, 0, Limits.Speed, exclusiveLow: true);
-        Check.Within("aim.spin.top" + at, TopSpin[index], -Limits.Spin, Limits.Spin);
-        Check.Within("aim.spin.side" + at, SideSpin[index], -Limits.Spin, Limits.Spin);
+        Check.Place(Check.Item("aim.from", index), from);
+        Check.Place(Check.Item("aim.target", index), target);
+        Check.Within(Check.Item("aim.speed", index), speed, 0, Limits.Speed, exclusiveLow: true);
+        Check.Within(Check.Item("aim.spin.top", index), TopSpin[index], -Limits.Spin, Limits.Spin);
+        Check.Within(Check.Item("aim.spin.side", index), SideSpin[index], -Limits.Spin, Limits.Spin);
     }
 }

@@ -65,18 +65,9 @@ public sealed class BatchSimulator
     {
         for (int index = from; index < from + count; index++)
         {
-            Trajectory path = _paths[thread];
             BallState ball = Simulator.Launch(_launches!.Position[index], _launches.Velocity[index], _launches.Spin[index]);
-            Simulator.LookAhead(in ball, _request!, path);
-            while (!path.IsComplete)
-            {
-                // Only a full buffer ends a path early; exceptions of custom forces pass through. Grow the buffer and repeat.
-                path = new Trajectory(2 * path.Pieces.Length);
-                _paths[thread] = path;
-                Simulator.LookAhead(in ball, _request!, path);
-            }
-
-            Write(index, path);
+            Simulator.LookAheadWhole(in ball, _request!, ref _paths[thread]);
+            Write(index, _paths[thread]);
         }
     }
 

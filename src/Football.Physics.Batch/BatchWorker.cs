@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
@@ -205,9 +204,8 @@ internal sealed class BatchWorker
 
     private static void Refuse(int index, in Vector3d position, in Vector3d velocity, in Vector3d spin)
     {
-        string at = string.Format(CultureInfo.InvariantCulture, "[{0}]", index);
-        Check.Place("launch.position" + at, position);
-        Check.Size("launch.velocity" + at, velocity, Limits.Speed, "m/s");
-        Check.Size("launch.spin" + at, spin, Limits.Spin, "rad/s");
+        Check.Place(Check.Item("launch.position", index), position);
+        Check.Size(Check.Item("launch.velocity", index), velocity, Limits.Speed, "m/s");
+        Check.Size(Check.Item("launch.spin", index), spin, Limits.Spin, "rad/s");
     }
 }

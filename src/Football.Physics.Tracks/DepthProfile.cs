@@ -99,31 +99,23 @@ internal static class DepthProfile
     }
 
     /// <summary>Observations, and the depth of the first of them.</summary>
-    private sealed class HeldDepth(Sightings seen, double depth, double deviation) : Sightings
+    private sealed class HeldDepth(Sightings seen, double depth, double deviation) : OtherResiduals(seen)
     {
-        public override int Count => seen.Count;
+        private readonly Sightings _seen = seen;
 
-        public override int Rows => seen.Rows + 1;
-
-        public override TrackCamera? FirstCamera => seen.FirstCamera;
-
-        public override bool IsOneView => seen.IsOneView;
-
-        public override double Time(int index) => seen.Time(index);
+        public override int Rows => _seen.Rows + 1;
 
         public override double Miss(int index, in Vector3d position, double[] misses)
         {
-            double cost = seen.Miss(index, in position, misses);
+            double cost = _seen.Miss(index, in position, misses);
             if (index > 0)
             {
                 return cost;
             }
 
-            double off = (depth - seen.FirstCamera!.Depth(in position)) / deviation;
-            misses[seen.Rows] = off;
+            double off = (depth - FirstCamera!.Depth(in position)) / deviation;
+            misses[_seen.Rows] = off;
             return cost + (off * off);
         }
-
-        public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost) => throw new NotSupportedException();
     }
 }

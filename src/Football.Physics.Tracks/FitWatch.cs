@@ -2,24 +2,14 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Reports the progress of a fit, and cancels it.</summary>
 /// <remarks>A fit calls <see cref="Check"/> at least once per simulated flight. The number of search steps is unknown in advance, so each check covers the same share of the part that is left.</remarks>
-internal sealed class FitWatch
+/// <param name="progress">Receives the progress, 0 … 1; null for none.</param>
+/// <param name="checks">The usual number of checks in a part, above 1.</param>
+/// <param name="cancellation">Cancels the fit.</param>
+internal sealed class FitWatch(IProgress<double>? progress, double checks, CancellationToken cancellation)
 {
-    private readonly IProgress<double>? _progress;
-    private readonly CancellationToken _cancellation;
-    private readonly double _perCheck;
+    private readonly double _perCheck = 1 / checks;
     private double _done;
     private double _end;
-
-    /// <summary>Creates a watch.</summary>
-    /// <param name="progress">Receives the progress, 0 … 1; null for none.</param>
-    /// <param name="checks">The usual number of checks in a part, above 1.</param>
-    /// <param name="cancellation">Cancels the fit.</param>
-    public FitWatch(IProgress<double>? progress, double checks, CancellationToken cancellation)
-    {
-        _perCheck = 1 / checks;
-        _progress = progress;
-        _cancellation = cancellation;
-    }
 
     /// <summary>Starts a part of the fit, from the end of the part before.</summary>
     /// <param name="end">The progress at the end of the part.</param>
@@ -39,12 +29,12 @@ internal sealed class FitWatch
     }
 
     /// <summary>Reports the end of the fit.</summary>
-    public void Finish() => _progress?.Report(1);
+    public void Finish() => progress?.Report(1);
 
     private void Report()
     {
         // The receiver may cancel the fit.
-        _progress?.Report(_done);
-        _cancellation.ThrowIfCancellationRequested();
+        progress?.Report(_done);
+        cancellation.ThrowIfCancellationRequested();
     }
 }

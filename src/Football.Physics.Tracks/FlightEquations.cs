@@ -3,7 +3,10 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Tracks;
 
 /// <summary>The least-squares equations of flights, for each launch and for the parameters that all flights share.</summary>
-internal sealed class FlightEquations
+/// <param name="track">The track.</param>
+/// <param name="deviation">The standard deviation of a coordinate, in m: noise and model error.</param>
+/// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
+internal sealed class FlightEquations(TrackPoint[] track, double deviation, double spinDeviation)
 {
     private const int Launch = FlightPath.Launch;
 
@@ -22,24 +25,10 @@ internal sealed class FlightEquations
     /// <summary>The longest step, in s.</summary>
     private const double LongestStep = 0.04;
 
-    private readonly TrackPoint[] _track;
-    private readonly double _deviation;
-    private readonly double _spinDeviation;
     private readonly StepLog _log = new();
     private readonly double[] _changed = new double[Launch];
     private Vector3d[] _path = [];
     private Vector3d[] _other = [];
-
-    /// <summary>Prepares for the flights of a track.</summary>
-    /// <param name="track">The track.</param>
-    /// <param name="deviation">The standard deviation of a coordinate, in m: noise and model error.</param>
-    /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
-    public FlightEquations(TrackPoint[] track, double deviation, double spinDeviation)
-    {
-        _track = track;
-        _deviation = deviation;
-        _spinDeviation = spinDeviation;
-    }
 
     /// <summary>The height of the ball's centre on the ground, in m, once known; heights near the ground have an additional error.</summary>
     public double Contact { get; set; } = double.NegativeInfinity;
@@ -56,7 +45,7 @@ internal sealed class FlightEquations
             new Vector3d(values[0], values[1], values[2]), new Vector3d(values[3], values[4], values[5]), new Vector3d(values[6], values[7], values[8]), 0);
         for (int i = 0; i < flight.Count; i++)
         {
-            double wait = i > 0 ? _track[flight.First + i].Time - _track[flight.First + i - 1].Time : 0;
+            double wait = i > 0 ? track[flight.First + i].Time - track[flight.First + i - 1].Time : 0;
             for (int parts = (int)Math.Ceiling(wait / LongestStep); parts > 0; parts--)
             {
                 _log.Clear();
@@ -88,7 +77,7 @@ internal sealed class FlightEquations
         double worst = 0;
         for (int i = 0; i < flight.Count; i++)
         {
-            double square = (_track[flight.First + i].Position - _path[i]).LengthSquared;
+            double square = (track[flight.First + i].Position - _path[i]).LengthSquared;
             sum += square;
             worst = Math.Max(worst, square);
         }
@@ -105,7 +94,7 @@ internal sealed class FlightEquations
         var misses = new Vector3d[flight.Count];
         for (int i = 0; i < misses.Length; i++)
         {
-            misses[i] = _track[flight.First + i].Position - _path[i];
+            misses[i] = track[flight.First + i].Position - _path[i];
         }
 
         return misses;
@@ -149,7 +138,7 @@ internal sealed class FlightEquations
         Array.Clear(flight.LowHeights, 0, Launch);
         for (int i = 0; i < count; i++)
         {
-            ref readonly TrackPoint point = ref _track[flight.First + i];
+            ref readonly TrackPoint point = ref track[flight.First + i];
             Vector3d miss = point.Position - _path[i];
             double across = Deviation(in point);
             double up = HeightDeviation(in point);
@@ -158,7 +147,7 @@ internal sealed class FlightEquations
             var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
             for (int j = 0; j < size; j++)
             {
-                Vector3d left = Weighted(j < 3 ? Axis(j) : jacobian[j][i], in weights);
+                Vector3d left = Weighted(j < 3 ? Vector3d.Axis(j) : jacobian[j][i], in weights);
                 gradient[j] += Vector3d.Dot(in left, in miss);
                 if (j < Launch)
                 {
@@ -167,7 +156,7 @@ internal sealed class FlightEquations
 
                 for (int k = 0; k <= j; k++)
                 {
-                    normal[(j * size) + k] += k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]);
+                    normal[(j * size) + k] += k < 3 ? left.Along(k) : Vector3d.Dot(in left, in jacobian[k][i]);
                 }
             }
         }
@@ -175,9 +164,9 @@ internal sealed class FlightEquations
         Vector3d perSpin = PerSpin(flight);
         for (int j = 6; j < Launch; j++)
         {
-            double known = Component(in perSpin, j - 6);
+            double known = perSpin.Along(j - 6);
             normal[(j * size) + j] += known;
-            gradient[j] += known * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
+            gradient[j] += known * (flight.LikelySpin.Along(j - 6) - flight.Values[j]);
         }
 
         for (int j = 0; j < size; j++)
@@ -192,17 +181,17 @@ internal sealed class FlightEquations
     }
 
     /// <summary>Returns a point of the track.</summary>
-    public ref readonly TrackPoint Point(int index) => ref _track[index];
+    public ref readonly TrackPoint Point(int index) => ref track[index];
 
     /// <summary>Returns the standard deviation of a point's coordinates, in m.</summary>
-    public double Deviation(in TrackPoint point) => Math.Max(_deviation, point.Noise);
+    public double Deviation(in TrackPoint point) => Math.Max(deviation, point.Noise);
 
     /// <summary>Returns the standard deviation of a point's height, in m.</summary>
     private double HeightDeviation(in TrackPoint point)
     {
-        double deviation = Deviation(in point);
+        double noise = Deviation(in point);
         double wrong = Wrong(in point);
-        return Math.Sqrt((deviation * deviation) + (wrong * wrong));
+        return Math.Sqrt((noise * noise) + (wrong * wrong));
     }
 
     /// <summary>Returns the error of a height near the ground, in m, which is common to all points.</summary>
@@ -215,9 +204,9 @@ internal sealed class FlightEquations
     /// <summary>Returns the prior precision of each component of a flight's spin, 1/σ².</summary>
     public Vector3d PerSpin(FlightPath flight)
     {
-        Vector3d deviation = flight.LikelySpinDeviation;
-        double any = 1 / (_spinDeviation * _spinDeviation);
-        return deviation == Vector3d.Zero ? new Vector3d(any, any, any) : new Vector3d(1 / (deviation.X * deviation.X), 1 / (deviation.Y * deviation.Y), 1 / (deviation.Z * deviation.Z));
+        Vector3d likely = flight.LikelySpinDeviation;
+        double any = 1 / (spinDeviation * spinDeviation);
+        return likely == Vector3d.Zero ? new Vector3d(any, any, any) : new Vector3d(1 / (likely.X * likely.X), 1 / (likely.Y * likely.Y), 1 / (likely.Z * likely.Z));
     }
 
     private static double Off(in Vector3d miss, double across, double up) =>
@@ -231,7 +220,7 @@ internal sealed class FlightEquations
         double cost = Vector3d.Dot(Weighted(in spin, PerSpin(flight)), in spin);
         for (int i = 0; i < flight.Count; i++)
         {
-            ref readonly TrackPoint point = ref _track[flight.First + i];
+            ref readonly TrackPoint point = ref track[flight.First + i];
             double off = Off(point.Position - path[i], Deviation(in point), HeightDeviation(in point));
             cost += Huber.Cost(off, Outlier);
         }
@@ -247,8 +236,4 @@ internal sealed class FlightEquations
             _other = new Vector3d[2 * count];
         }
     }
-
-    private static Vector3d Axis(int i) => new(i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0);
-
-    public static double Component(in Vector3d v, int i) => i == 0 ? v.X : i == 1 ? v.Y : v.Z;
 }

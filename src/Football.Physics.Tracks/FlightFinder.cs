@@ -63,12 +63,7 @@ internal sealed class FlightFinder
         _runs = runs;
         _scene = scene;
         _system = system;
-        double[] heights = new double[runs.Points.Length];
-        for (int i = 0; i < heights.Length; i++)
-        {
-            heights[i] = runs.Points[i].Position.Y;
-        }
-
+        double[] heights = Array.ConvertAll(runs.Points, point => point.Position.Y);
         Array.Sort(heights);
         _low = heights[heights.Length / 10];
         _fits = new SharedFit[Balls.Length];

@@ -1,22 +1,16 @@
 namespace FootballPhysics.Tracks;
 
 /// <summary>A segment of a track that is one flight: its points, its launch, and its residuals.</summary>
-internal sealed class FlightPath
+internal sealed class FlightPath(int first, int end)
 {
     /// <summary>The number of launch parameters: position, velocity, spin.</summary>
     public const int Launch = 9;
 
-    public FlightPath(int first, int end)
-    {
-        First = first;
-        End = end;
-    }
-
     /// <summary>The index of the first point.</summary>
-    public int First { get; set; }
+    public int First { get; set; } = first;
 
     /// <summary>The index after the last point.</summary>
-    public int End { get; set; }
+    public int End { get; set; } = end;
 
     /// <summary>The number of points.</summary>
     public int Count => End - First;

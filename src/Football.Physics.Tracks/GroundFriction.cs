@@ -27,9 +27,7 @@ internal sealed class GroundFriction
 
     private const int Rounds = 20;
 
-    private readonly List<string> _names = [];
-    private readonly List<double> _values = [];
-    private readonly List<double> _deviations = [];
+    private readonly List<Estimate> _estimates = [];
 
     /// <summary>Estimates the parameters.</summary>
     /// <param name="ground">The prior surface.</param>
@@ -53,14 +51,8 @@ internal sealed class GroundFriction
     /// <summary>The ground with the estimated frictions.</summary>
     public Ground Ground { get; private set; }
 
-    /// <summary>The names of the parameters.</summary>
-    public IReadOnlyList<string> Names => _names;
-
-    /// <summary>The values of the parameters.</summary>
-    public IReadOnlyList<double> Values => _values;
-
-    /// <summary>The standard deviations of the parameters.</summary>
-    public IReadOnlyList<double> Deviations => _deviations;
+    /// <summary>The estimated parameters.</summary>
+    public IReadOnlyList<Estimate> Estimates => _estimates;
 
     /// <summary>The mean speed of the rolling windows, in m/s; 0 if there are none.</summary>
     public double RollingSpeed { get; private set; }
@@ -98,7 +90,7 @@ internal sealed class GroundFriction
             sum += weight;
         }
 
-        Add("slidingFriction", median, (slides.Count > 2 ? MedianLoss : 1) / Math.Sqrt(all));
+        _estimates.Add(new Estimate("slidingFriction", median, (slides.Count > 2 ? MedianLoss : 1) / Math.Sqrt(all)));
         Ground = Ground with { Material = Ground.Material with { SlidingFriction = median } };
     }
 
@@ -139,16 +131,9 @@ internal sealed class GroundFriction
         double known = 1 / (KnownRolling * KnownRolling);
         RollingSpeed = b / (a - known);
         RollingDeviation = Math.Sqrt((c - (2 * b * RollingSpeed) + (a * RollingSpeed * RollingSpeed)) / size);
-        Add("rollingFriction", level, Math.Sqrt(c / size));
-        Add("rollingFrictionBySpeed", growth, Math.Sqrt(a / size));
+        _estimates.Add(new Estimate("rollingFriction", level, Math.Sqrt(c / size)));
+        _estimates.Add(new Estimate("rollingFrictionBySpeed", growth, Math.Sqrt(a / size)));
         Ground = Ground with { Material = Ground.Material with { RollingResistance = level, RollingResistancePerSpeed = growth } };
-    }
-
-    private void Add(string name, double value, double deviation)
-    {
-        _names.Add(name);
-        _values.Add(value);
-        _deviations.Add(deviation);
     }
 
     private static double Weight(GroundWindow window, double scatter) => 1 / ((window.StandardError * window.StandardError) + (scatter * scatter));

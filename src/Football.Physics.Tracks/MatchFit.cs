@@ -123,20 +123,16 @@ public sealed class MatchFit
         MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> used, MatchModel model, SharedFit fit,
         double contact, double heightDeviation)
     {
-        List<string> names = [.. model.Names];
-        List<double> values = [.. fit.Values];
-        List<double> deviations = [];
+        List<Estimate> estimates = [];
         for (int i = 0; i < model.Count; i++)
         {
-            deviations.Add(Math.Sqrt(Math.Max(0, fit.Covariance[(i * model.Count) + i])));
+            estimates.Add(new Estimate(model.Names[i], fit.Values[i], Math.Sqrt(Math.Max(0, fit.Covariance[(i * model.Count) + i]))));
         }
 
         double radius = _scene.Ball.Radius;
         if (request.Height && double.IsFinite(heightDeviation))
         {
-            names.Add("groundHeight");
-            values.Add(contact - radius);
-            deviations.Add(heightDeviation);
+            estimates.Add(new Estimate("groundHeight", contact - radius, heightDeviation));
         }
 
         List<MatchPiece> pieces = new MatchPieces(runs, equations, fit.At, contact).Make(finder.Ends, flights);
@@ -150,15 +146,11 @@ public sealed class MatchFit
             var surface = new SurfaceFit(_scene.Ball, ground, pieces);
             ground = surface.Ground;
             impacts = surface.Impacts;
-            names.AddRange(surface.Names);
-            values.AddRange(surface.Values);
-            deviations.AddRange(surface.Deviations);
+            estimates.AddRange(surface.Estimates);
             windows = new GroundWindows(runs, fit.At, ground).Find(pieces);
             var friction = new GroundFriction(ground, windows);
             ground = friction.Ground;
-            names.AddRange(friction.Names);
-            values.AddRange(friction.Values);
-            deviations.AddRange(friction.Deviations);
+            estimates.AddRange(friction.Estimates);
             (rollingSpeed, rollingDeviation) = (friction.RollingSpeed, friction.RollingDeviation);
         }
 
@@ -171,7 +163,7 @@ public sealed class MatchFit
         }
 
         Scene at = fit.At.Scene;
-        return new MatchFitResult(pieces, names, [.. values], [.. deviations], _scene with { Air = at.Air, Ball = at.Ball, Forces = at.Forces, Ground = ground })
+        return new MatchFitResult(pieces, [.. estimates], _scene with { Air = at.Air, Ball = at.Ball, Forces = at.Forces, Ground = ground })
         {
             Rms = points > 0 ? Math.Sqrt(squares / points) : 0,
             Flights = used.Count,
@@ -248,12 +240,7 @@ public sealed class MatchFit
     private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, FitWatch watch)
     {
         SharedFit? best = null;
-        var launches = new double[flights.Count][];
-        for (int i = 0; i < flights.Count; i++)
-        {
-            launches[i] = flights[i].Values;
-        }
-
+        double[][] launches = [.. flights.Select(flight => flight.Values)];
         double[][]? found = null;
         foreach (double[] start in model.Starts)
         {
@@ -267,7 +254,7 @@ public sealed class MatchFit
             if (best is null || fit.Cost < best.Cost)
             {
                 best = fit;
-                found = flights.ConvertAll(f => f.Values).ToArray();
+                found = [.. flights.Select(flight => flight.Values)];
             }
         }
 

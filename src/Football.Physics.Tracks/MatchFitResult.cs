@@ -5,15 +5,13 @@ namespace FootballPhysics.Tracks;
 /// <summary>The result of a match fit: the pieces in order of time, and the shared parameters.</summary>
 public sealed class MatchFitResult
 {
-    private readonly double[] _values;
-    private readonly double[] _deviations;
+    private readonly Estimate[] _estimates;
 
-    internal MatchFitResult(IReadOnlyList<MatchPiece> pieces, IReadOnlyList<string> names, double[] values, double[] deviations, Scene scene)
+    internal MatchFitResult(IReadOnlyList<MatchPiece> pieces, Estimate[] estimates, Scene scene)
     {
         Pieces = pieces;
-        Names = names;
-        _values = values;
-        _deviations = deviations;
+        _estimates = estimates;
+        Names = [.. estimates.Select(estimate => estimate.Name)];
         Scene = scene;
     }
 
@@ -66,7 +64,7 @@ public sealed class MatchFitResult
     public double Value(int index)
     {
         Check.Index(nameof(index), index, Names.Count);
-        return _values[index];
+        return _estimates[index].Value;
     }
 
     /// <summary>Returns the standard error of a parameter, from the scatter of the residuals and their autocorrelation.</summary>
@@ -75,6 +73,9 @@ public sealed class MatchFitResult
     public double StandardError(int index)
     {
         Check.Index(nameof(index), index, Names.Count);
-        return _deviations[index];
+        return _estimates[index].Deviation;
     }
 }
+
+/// <summary>An estimated parameter of a match.</summary>
+internal readonly record struct Estimate(string Name, double Value, double Deviation);

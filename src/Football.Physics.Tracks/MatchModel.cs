@@ -28,7 +28,7 @@ internal sealed class MatchModel
     public MatchModel(Scene scene, MatchFitRequest request)
     {
         // Without ground: the track determines where a flight ends.
-        _scene = scene with { Ground = Ground.None, Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
+        _scene = AimContext.WithoutThings(scene) with { Ground = Ground.None };
         _drag = request.Drag;
         _lift = request.Lift;
         List<string> names = [];

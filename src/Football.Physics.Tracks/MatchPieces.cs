@@ -3,7 +3,7 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Tracks;
 
 /// <summary>Builds the pieces of a match from its flights: the parts between them, and the events.</summary>
-internal sealed class MatchPieces
+internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Simulator at, double contact)
 {
     /// <summary>The maximum number of points between two flights, because trackers smooth over a touch.</summary>
     private const int Between = 3;
@@ -33,22 +33,12 @@ internal sealed class MatchPieces
     /// <summary>The uncertainty of a change of horizontal velocity, in m/s.</summary>
     private const double UnsureChange = 1;
 
-    private readonly TrackPoint[] _track;
-    private readonly TrackRuns _runs;
-    private readonly FlightEquations _equations;
-    private readonly Simulator _at;
-    private readonly double _upward;
-    private readonly double _contact;
-
-    public MatchPieces(TrackRuns runs, FlightEquations equations, Simulator at, double contact)
-    {
-        _runs = runs;
-        _track = runs.Points;
-        _equations = equations;
-        _at = at;
-        _upward = Weight.UpwardAcceleration(at.Scene);
-        _contact = contact;
-    }
+    private readonly TrackPoint[] _track = runs.Points;
+    private readonly TrackRuns _runs = runs;
+    private readonly FlightEquations _equations = equations;
+    private readonly Simulator _at = at;
+    private readonly double _upward = Weight.UpwardAcceleration(at.Scene);
+    private readonly double _contact = contact;
 
     /// <summary>Returns the heights at which the ball is on the ground: between a falling and a rising flight, and where it neither rises nor
     /// falls.</summary>
@@ -222,8 +212,7 @@ internal sealed class MatchPieces
     private void AddRest(List<MatchPiece> steady, List<FlightPath?> paths, IReadOnlyList<int> ends, int first, int end, bool follows)
     {
         // A few points between two flights belong to the event there.
-        bool isWhole = end - first <= Between && follows && end < _track.Length && !HasGap(first - 1, end);
-        if (isWhole)
+        if (end - first <= Between && follows && end < _track.Length && !HasGap(first - 1, end))
         {
             return;
         }
@@ -232,10 +221,8 @@ internal sealed class MatchPieces
         while (from < end)
         {
             AddGap(steady, paths, from);
-            int to = from + 1;
-            int last = PieceEnd(ends, from, end);
-            bool low = IsLow(from, last);
-            to = last;
+            int to = PieceEnd(ends, from, end);
+            bool low = IsLow(from, to);
             while (to < end && !_runs.IsGap(_track[to - 1].Time, _track[to].Time))
             {
                 int next = PieceEnd(ends, to, end);
@@ -296,12 +283,7 @@ internal sealed class MatchPieces
     /// <summary>True if half of the points are as low as a ball on the ground.</summary>
     private bool IsLow(int first, int end)
     {
-        double[] heights = new double[end - first];
-        for (int i = first; i < end; i++)
-        {
-            heights[i - first] = _track[i].Position.Y;
-        }
-
+        double[] heights = Array.ConvertAll(_track[first..end], point => point.Position.Y);
         Array.Sort(heights);
         return heights[heights.Length / 2] < _contact + Hop;
     }
@@ -319,8 +301,7 @@ internal sealed class MatchPieces
         double time = 0.5 * (_track[at - 1].Time + _track[at].Time);
         double span = Math.Min(_track[at - 1].Time - _track[before].Time, _track[after - 1].Time - _track[at].Time);
         Vector3d change = TrackPolynomial.Of(_track, at, after, 1).VelocityAt(time) - TrackPolynomial.Of(_track, before, at, 1).VelocityAt(time);
-        change = new Vector3d(change.X, 0, change.Z);
-        return change.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
+        return change.Horizontal.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
     }
 
     /// <summary>Creates a piece that no law of flight describes, from the cubics of the division.</summary>
@@ -421,8 +402,8 @@ internal sealed class MatchPieces
     /// <summary>Returns an impact if the velocities allow one; otherwise a touch.</summary>
     private MatchPiece ImpactOr(double time, Vector3d place, Vector3d before, Vector3d spinBefore, Vector3d after, Vector3d spin, FlightPath? flight)
     {
-        var along = new Vector3d(before.X, 0, before.Z);
-        var left = new Vector3d(after.X, 0, after.Z);
+        Vector3d along = before.Horizontal;
+        Vector3d left = after.Horizontal;
         double speed = along.Length;
         double restitution = before.Y < 0 ? Math.Max(0, after.Y) / -before.Y : double.PositiveInfinity;
         double kept = speed > 0 ? Vector3d.Dot(in along, in left) / (speed * speed) : 1;

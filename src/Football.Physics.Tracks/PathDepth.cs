@@ -76,26 +76,14 @@ internal static class PathDepth
     }
 
     /// <summary>Stores the depths of a path in place of its residuals.</summary>
-    private sealed class DepthSightings(Sightings seen) : Sightings
+    private sealed class DepthSightings(Sightings seen) : OtherResiduals(seen)
     {
-        private readonly TrackCamera _camera = seen.FirstCamera!;
-
-        public override int Count => seen.Count;
-
-        public override int Rows => seen.Count;
-
-        public override TrackCamera? FirstCamera => _camera;
-
-        public override bool IsOneView => seen.IsOneView;
-
-        public override double Time(int index) => seen.Time(index);
+        public override int Rows => Count;
 
         public override double Miss(int index, in Vector3d position, double[] misses)
         {
-            misses[index] = _camera.Depth(in position);
+            misses[index] = FirstCamera!.Depth(in position);
             return 0;
         }
-
-        public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost) => throw new NotSupportedException();
     }
 }

@@ -29,7 +29,7 @@ internal sealed class PixelSightings : Sightings
         for (int i = 0; i < points.Length; i++)
         {
             string at = Check.Item("track", i);
-            CheckTime(at, points[i].Time, i > 0 ? points[i - 1].Time : -Limits.Time);
+            Check.Within(at + ".time", points[i].Time, i > 0 ? points[i - 1].Time : -Limits.Time, Limits.Time);
             Check.Within(at + ".camera", (long)points[i].Camera, 0, cameras.Length - 1);
             Check.Within(at + ".pixel[0]", points[i].U, -MostPixel, MostPixel);
             Check.Within(at + ".pixel[1]", points[i].V, -MostPixel, MostPixel);

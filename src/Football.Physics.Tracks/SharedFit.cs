@@ -130,12 +130,7 @@ internal sealed class SharedFit
     public static double[] Shares(IReadOnlyList<FlightPath> flights)
     {
         double[] shares = new double[flights.Count];
-        double[] sorted = new double[flights.Count];
-        for (int i = 0; i < shares.Length; i++)
-        {
-            sorted[i] = flights[i].Rms;
-        }
-
+        double[] sorted = [.. flights.Select(flight => flight.Rms)];
         Array.Sort(sorted);
         double usual = sorted.Length > 0 ? sorted[sorted.Length / 2] : 0;
         for (int i = 0; i < shares.Length; i++)
@@ -190,7 +185,7 @@ internal sealed class SharedFit
                     double sum = (scatter * covariance[(i * Launch) + j]) + (off[f][i] * off[f][j]);
                     for (int k = 0; k < 3; k++)
                     {
-                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * FlightEquations.Component(in known, k) * covariance[((6 + k) * Launch) + j];
+                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * known.Along(k) * covariance[((6 + k) * Launch) + j];
                     }
 
                     for (int k = 0; k < _shared * _shared; k++)

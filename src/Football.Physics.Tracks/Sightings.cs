@@ -43,11 +43,22 @@ internal abstract class Sightings
     protected static double[] Launch(in Vector3d position, in Vector3d velocity, in Vector3d spin) =>
         [position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z];
 
-    /// <summary>Checks the times of observations.</summary>
-    protected static void CheckTime(string at, double time, double before) => Check.Within(at + ".time", time, before, Limits.Time);
-
     /// <summary>Checks the duration.</summary>
     protected static void CheckDuration(double duration) => Check.Within("track's last time", duration, 0, 600, exclusiveLow: true);
+}
+
+/// <summary>The same observations with other residuals; it cannot start a search.</summary>
+internal abstract class OtherResiduals(Sightings seen) : Sightings
+{
+    public override int Count => seen.Count;
+
+    public override TrackCamera? FirstCamera => seen.FirstCamera;
+
+    public override bool IsOneView => seen.IsOneView;
+
+    public override double Time(int index) => seen.Time(index);
+
+    public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost) => throw new NotSupportedException();
 }
 
 /// <summary>Observed positions.</summary>
@@ -60,15 +71,7 @@ internal sealed class PositionSightings : Sightings
 
     public PositionSightings(TrackPoint[] track)
     {
-        Check.AtLeast("track's points", track.Length, 4);
-        for (int i = 0; i < track.Length; i++)
-        {
-            string at = Check.Item("track", i);
-            CheckTime(at, track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time);
-            Check.Place(at + ".position", track[i].Position);
-            Check.Positive(at + ".noise", track[i].Noise);
-        }
-
+        TrackPoint.Validate(track, 4, Check.Positive);
         _track = track;
         CheckDuration(Duration);
     }

@@ -56,14 +56,8 @@ internal sealed class SurfaceFit
     /// <summary>The number of impacts used.</summary>
     public int Impacts => _impacts.Count;
 
-    /// <summary>The names of the parameters.</summary>
-    public string[] Names { get; private set; } = [];
-
-    /// <summary>The values of the parameters.</summary>
-    public double[] Values { get; private set; } = [];
-
-    /// <summary>The standard deviations of the parameters.</summary>
-    public double[] Deviations { get; private set; } = [];
+    /// <summary>The estimated parameters.</summary>
+    public Estimate[] Estimates { get; private set; } = [];
 
     /// <summary>Estimates the parameters and their standard deviations.</summary>
     private void Find()
@@ -97,18 +91,16 @@ internal sealed class SurfaceFit
         }
 
         Equations(values, likely, normal, right, out double scatter);
-        double[] deviations = new double[Numbers];
-        double[] unit = new double[Numbers];
+        double[] inverse = new double[Numbers * Numbers];
+        Linear.Invert(normal, inverse, Numbers);
+        string[] names = ["restitution", "restitutionRise", "friction"];
+        Estimates = new Estimate[Numbers];
         for (int k = 0; k < Numbers; k++)
         {
-            Array.Clear(unit, 0, Numbers);
-            unit[k] = 1;
-            bool solved = Linear.Solve(normal, unit, step, Numbers);
-            deviations[k] = solved ? Math.Min(KnownDeviations[k], Math.Sqrt(Math.Max(0, step[k]) * Math.Max(1, scatter))) : KnownDeviations[k];
+            double variance = inverse[(k * Numbers) + k] * Math.Max(1, scatter);
+            Estimates[k] = new Estimate(names[k], values[k], variance > 0 ? Math.Min(KnownDeviations[k], Math.Sqrt(variance)) : KnownDeviations[k]);
         }
 
-        Names = ["restitution", "restitutionRise", "friction"];
-        (Values, Deviations) = (values, deviations);
         Ground = With(values);
     }
 

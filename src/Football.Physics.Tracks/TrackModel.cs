@@ -173,21 +173,13 @@ internal sealed class TrackModel
 }
 
 /// <summary>Simulates the ball to the times of its observations, and computes the residuals.</summary>
-internal sealed class TrackPaths
+internal sealed class TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model, FitWatch? watch = null)
 {
-    private readonly Sightings _seen;
-    private readonly TrackFitRequest _request;
-    private readonly TrackModel _model;
-    private readonly FitWatch? _watch;
+    private readonly Sightings _seen = seen;
+    private readonly TrackFitRequest _request = request;
+    private readonly TrackModel _model = model;
+    private readonly FitWatch? _watch = watch;
     private readonly StepLog _log = new();
-
-    public TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model, FitWatch? watch = null)
-    {
-        _watch = watch;
-        _seen = seen;
-        _request = request;
-        _model = model;
-    }
 
     /// <summary>The number of residuals.</summary>
     public int Rows => _seen.Rows;

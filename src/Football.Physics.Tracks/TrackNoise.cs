@@ -139,7 +139,7 @@ internal static class TrackNoise
     {
         for (int axis = 0; axis < 3; axis++)
         {
-            if (deviations[axis] > 0 && Math.Abs(Component(difference, axis)) > most * deviations[axis])
+            if (deviations[axis] > 0 && Math.Abs(difference.Along(axis)) > most * deviations[axis])
             {
                 return false;
             }
@@ -154,7 +154,7 @@ internal static class TrackNoise
         double[] middles = new double[3];
         for (int axis = 0; axis < 3; axis++)
         {
-            double[] sizes = Array.ConvertAll(differences, difference => Math.Abs(Component(difference, axis)));
+            double[] sizes = Array.ConvertAll(differences, difference => Math.Abs(difference.Along(axis)));
             Array.Sort(sizes);
             middles[axis] = sizes[sizes.Length / 2] / unit;
         }
@@ -167,12 +167,10 @@ internal static class TrackNoise
         double sum = 0;
         foreach (Vector3d difference in differences)
         {
-            double along = Component(difference, axis);
+            double along = difference.Along(axis);
             sum += along * along;
         }
 
         return sum / differences.Length;
     }
-
-    private static double Component(in Vector3d vector, int axis) => axis == 0 ? vector.X : axis == 1 ? vector.Y : vector.Z;
 }

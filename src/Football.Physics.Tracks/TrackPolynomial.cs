@@ -47,7 +47,7 @@ internal readonly struct TrackPolynomial
                         system[(k * (size + 1)) + j] += power[k + j];
                     }
 
-                    system[(k * (size + 1)) + size] += power[k] * (axis == 0 ? p.X : axis == 1 ? p.Y : p.Z);
+                    system[(k * (size + 1)) + size] += power[k] * p.Along(axis);
                 }
             }
 
@@ -55,7 +55,7 @@ internal readonly struct TrackPolynomial
             double scale = 1;
             for (int k = 0; k < size; k++, scale /= half)
             {
-                coefficients[k] += scale * x[k] * new Vector3d(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+                coefficients[k] += scale * x[k] * Vector3d.Axis(axis);
             }
         }
 

@@ -76,12 +76,7 @@ internal sealed class TrackRuns
     /// <summary>Returns the median wait, and computes the mean wait without long ones. The mean is larger if points are missing.</summary>
     private static double UsualWait(TrackPoint[] track, out double mean)
     {
-        double[] waits = new double[track.Length - 1];
-        for (int i = 1; i < track.Length; i++)
-        {
-            waits[i - 1] = track[i].Time - track[i - 1].Time;
-        }
-
+        double[] waits = [.. track.Skip(1).Select((point, i) => point.Time - track[i].Time)];
         Array.Sort(waits);
         double median = waits[waits.Length / 2];
         double sum = 0;

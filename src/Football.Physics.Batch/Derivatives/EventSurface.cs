@@ -4,11 +4,9 @@ using FootballPhysics.State;
 namespace FootballPhysics.Batch;
 
 /// <summary>The surfaces in the space of motions at which events happen.</summary>
-internal sealed class EventSurface
+internal sealed class EventSurface(Surroundings around)
 {
-    private readonly Surroundings _around;
-
-    public EventSurface(Surroundings around) => _around = around;
+    private readonly Surroundings _around = around;
 
     /// <summary>Returns the surface of a contact with an object: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
@@ -35,25 +33,17 @@ internal sealed class EventSurface
 }
 
 /// <summary>A function g of the motion that is zero at an event: its gradient, and its rate along the motion just before.</summary>
-internal readonly struct EventGradient
+internal readonly struct EventGradient(in Vector3d place, in Vector3d velocity, in Vector3d spin, double rate)
 {
     /// <summary>∂g/∂p.</summary>
-    public readonly Vector3d Place;
+    public readonly Vector3d Place = place;
 
     /// <summary>∂g/∂v.</summary>
-    public readonly Vector3d Velocity;
+    public readonly Vector3d Velocity = velocity;
 
     /// <summary>∂g/∂ω.</summary>
-    public readonly Vector3d Spin;
+    public readonly Vector3d Spin = spin;
 
     /// <summary>ġ.</summary>
-    public readonly double Rate;
-
-    public EventGradient(in Vector3d place, in Vector3d velocity, in Vector3d spin, double rate)
-    {
-        Place = place;
-        Velocity = velocity;
-        Spin = spin;
-        Rate = rate;
-    }
+    public readonly double Rate = rate;
 }

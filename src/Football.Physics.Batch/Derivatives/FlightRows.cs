@@ -3,16 +3,10 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics.Batch;
 
 /// <summary>The derivatives of one number of a flight by the velocity, the magnitude of the spin, and its axis in two directions, at the start.</summary>
-internal struct FlightRow
+internal struct FlightRow(in Vector3d byVelocity, in Vector3d bySpin)
 {
-    public Vector3d ByVelocity;
-    public Vector3d BySpin;
-
-    public FlightRow(in Vector3d byVelocity, in Vector3d bySpin)
-    {
-        ByVelocity = byVelocity;
-        BySpin = bySpin;
-    }
+    public Vector3d ByVelocity = byVelocity;
+    public Vector3d BySpin = bySpin;
 
     /// <summary>a + h b.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -4,7 +4,7 @@ using FootballPhysics.Simulation;
 namespace FootballPhysics.Batch;
 
 /// <summary>The map of an impact from the motion before to the motion after, with derivatives by difference quotients of the simulation's own impact.</summary>
-internal sealed class ImpactMap
+internal sealed class ImpactMap(Surroundings around)
 {
     private const double TimeWidth = 1e-6;
 
@@ -12,15 +12,9 @@ internal sealed class ImpactMap
     private const int MostTries = 4;
     private const double Narrower = 0.1;
 
-    private readonly World _world;
-    private readonly WorldContact _contact;
+    private readonly World _world = around.World;
+    private readonly WorldContact _contact = new(around, gainsByHops: false);
     private readonly StepLog _log = new() { IgnoresZones = true };
-
-    public ImpactMap(Scene scene, Surroundings around)
-    {
-        _world = around.World;
-        _contact = new WorldContact(around, gainsByHops: false);
-    }
 
     /// <summary>The derivative of the motion by the time of the impact, which is not zero if the object moves.</summary>
     public Motion TimeRate { get; private set; }

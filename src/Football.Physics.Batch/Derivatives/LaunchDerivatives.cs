@@ -10,7 +10,7 @@ namespace FootballPhysics.Batch;
 /// </remarks>
 public sealed class LaunchDerivatives
 {
-    private readonly TangentObserver _observer;
+    private readonly SceneTangent _observer;
     private readonly StepDifferences _differences;
     private readonly Simulator.StepCallback _onStep;
 
@@ -31,7 +31,7 @@ public sealed class LaunchDerivatives
     {
         Check.Given(nameof(simulator), simulator);
         Simulator = simulator;
-        _observer = TangentObserver.Of(simulator.Scene);
+        _observer = new SceneTangent(simulator.Scene);
         _differences = new StepDifferences(simulator);
         _onStep = End;
     }
@@ -84,8 +84,14 @@ public sealed class LaunchDerivatives
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {
         Simulator.CheckRun(in state, timeStep, duration, stopAt);
-        Start(in state);
-        bool ended = Go(ref state, timeStep, duration, stopAt);
+        _log.Clear();
+        _log.Observer = _observer;
+        _observer.Begin(in state, _log);
+        _timeStep = timeStep;
+        _stopAt = stopAt;
+        _end = state.Time + duration;
+        Begin(in state);
+        bool ended = Simulator.RunChecked(ref state, timeStep, duration, stopAt, _log, _onStep);
         _observer.Finish(in state, ended);
         double[] times = _observer.EventTimes;
         double counts = ended ? 1.0 : 0;
@@ -93,31 +99,6 @@ public sealed class LaunchDerivatives
         TimeByVelocity = counts * new Vector3d(times[3], times[4], times[5]);
         TimeBySpin = counts * new Vector3d(times[6], times[7], times[8]);
         return ended;
-    }
-
-    /// <summary>Starts at a launch; <see cref="Advance"/> continues.</summary>
-    internal void Start(in BallState state)
-    {
-        _log.Clear();
-        _log.Observer = _observer;
-        _observer.Begin(in state, _log);
-    }
-
-    /// <summary>Continues for a time, and computes the derivatives by the launch.</summary>
-    internal void Advance(ref BallState state, double timeStep, double duration)
-    {
-        Go(ref state, timeStep, duration, StopAt.Time);
-        _observer.Finish(in state, ended: false);
-    }
-
-    /// <summary>Runs the simulator step by step.</summary>
-    private bool Go(ref BallState state, double timeStep, double duration, StopAt stopAt)
-    {
-        _timeStep = timeStep;
-        _stopAt = stopAt;
-        _end = state.Time + duration;
-        Begin(in state);
-        return Simulator.RunChecked(ref state, timeStep, duration, stopAt, _log, _onStep);
     }
 
     private void Begin(in BallState start)

@@ -4,12 +4,10 @@ using FootballPhysics.State;
 namespace FootballPhysics.Batch;
 
 /// <summary>The motion along a segment of flight: the same equations as in a step, on the same branch of the drag law.</summary>
-internal sealed class LocalFlight
+internal sealed class LocalFlight(Surroundings around)
 {
-    private readonly Surroundings _around;
+    private readonly Surroundings _around = around;
     private FlightSystem _flight;
-
-    public LocalFlight(Surroundings around) => _around = around;
 
     /// <summary>The branch of the drag law.</summary>
     public DragBranch Branch => _flight.Branch;

@@ -1,14 +1,15 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Computes the derivatives by the launch in one scene.</summary>
+/// <summary>Observes a simulation in one scene, and updates the derivatives by the launch segment by segment and event by event.</summary>
 /// <remarks>
 /// In plain flight, J̇ = A(t) J along the simulated path. The time of an event shifts with the launch by δt = −∇g·δy/ġ. There J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt
 /// (saltation), where R is the map of the event. <see cref="StepDifferences"/> handles all other steps.
 /// </remarks>
-internal sealed class SceneTangent : TangentObserver
+internal sealed class SceneTangent : PieceObserver
 {
     private readonly Surroundings _around;
     private readonly ImpactMap _impacts;
@@ -37,10 +38,10 @@ internal sealed class SceneTangent : TangentObserver
     /// <summary>True if the step contains more than plain flight and impacts.</summary>
     private bool _isLeft;
 
-    public SceneTangent(Scene scene, in SceneAir air)
+    public SceneTangent(Scene scene)
     {
-        _around = new Surroundings(scene, in air);
-        _impacts = new ImpactMap(scene, _around);
+        _around = new Surroundings(scene, SceneAir.Of(scene));
+        _impacts = new ImpactMap(_around);
         _surface = new EventSurface(_around);
         _flight = new FlightTangent(_around);
         _now = new LocalFlight(_around);
@@ -48,7 +49,18 @@ internal sealed class SceneTangent : TangentObserver
         _inertiaFactor = scene.Ball.InertiaFactor;
     }
 
-    public override void Begin(in BallState from, StepLog log)
+    /// <summary>The derivatives.</summary>
+    public Tangent Tangent { get; } = new();
+
+    /// <summary>The derivative of the last event's time by the launch: δt of each column.</summary>
+    public double[] EventTimes { get; } = new double[Tangent.Columns];
+
+    public override bool Add(in PathSegment piece) => false;
+
+    /// <summary>Starts at a launch.</summary>
+    /// <param name="from">The ball.</param>
+    /// <param name="log">The log of the run; events from here on belong to the run.</param>
+    public void Begin(in BallState from, StepLog log)
     {
         _log = log;
         _flight.Abandon();
@@ -69,7 +81,10 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    public override void BeginStep(in BallState start, double dt)
+    /// <summary>Begins a step.</summary>
+    /// <param name="start">The ball.</param>
+    /// <param name="dt">The length of the step, in s.</param>
+    public void BeginStep(in BallState start, double dt)
     {
         Commit();
         _stepEnd = start.Time + dt;
@@ -128,7 +143,10 @@ internal sealed class SceneTangent : TangentObserver
         return false;
     }
 
-    public override bool EndStep(in BallState end)
+    /// <summary>Ends a step.</summary>
+    /// <param name="end">The ball.</param>
+    /// <returns>True if it contained more than plain flight and impacts. The tangent is then that at its start, and <see cref="StepDifferences"/> must update it.</returns>
+    public bool EndStep(in BallState end)
     {
         // If an impact ended the run, the final state is that just before it.
         bool hit = _log!.Halted && _log.StopAt == StopAt.Impact;
@@ -140,7 +158,9 @@ internal sealed class SceneTangent : TangentObserver
         return _isLeft;
     }
 
-    public override void GoOn(in BallState from)
+    /// <summary>Continues after a step that <see cref="StepDifferences"/> has processed.</summary>
+    /// <param name="from">The ball.</param>
+    public void GoOn(in BallState from)
     {
         _last = from;
         _event = _log!.Events.Count;
@@ -148,7 +168,11 @@ internal sealed class SceneTangent : TangentObserver
         _now.Take(in from);
     }
 
-    public override void Finish(in BallState final, bool ended)
+    /// <summary>Ends the run.</summary>
+    /// <remarks>If an event ended it, the tangent is that of the motion just before the event, at the time of <see cref="EventTimes"/>.</remarks>
+    /// <param name="final">The ball.</param>
+    /// <param name="ended">True if an event ended the run.</param>
+    public void Finish(in BallState final, bool ended)
     {
         Land();
         if (!ended)

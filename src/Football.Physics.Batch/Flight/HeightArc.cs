@@ -2,68 +2,30 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The ball's height above contact over a step that comes down to it.</summary>
-internal readonly struct HeightArc
+/// <summary>The ball's height above contact over a step that comes down to it. If the start is at contact, divide by s, to find the next root.</summary>
+/// <param name="curve">The cubic Hermite interpolant over the step, whose start is at least 0.</param>
+internal readonly struct HeightArc(in CubicHermite curve) : IDifferentiableFunction
 {
     /// <summary>The relative change at which Newton's method ends: the next one would be rounding, and repeating the step corrects the rest.</summary>
     private const double Close = 1e-6;
 
-    /// <summary>The height at the start, in m; at least 0.</summary>
-    public readonly double Start;
+    private readonly CubicHermite _curve = curve;
+    private readonly bool _onGround = curve.C0 <= 0;
 
-    /// <summary>The vertical velocity at the start, in m/s.</summary>
-    public readonly double StartVelocity;
-
-    /// <summary>The vertical acceleration at the start, in m/s².</summary>
-    public readonly double StartAcceleration;
-
-    /// <summary>The height at the end, in m.</summary>
-    public readonly double End;
-
-    /// <summary>The vertical velocity at the end, in m/s.</summary>
-    public readonly double EndVelocity;
-
-    /// <summary>The length of the step, in s.</summary>
-    public readonly double Length;
-
-    public HeightArc(double start, double startVelocity, double startAcceleration, double end, double endVelocity, double length)
+    /// <summary>Returns the share of the step after which the height first falls to zero, or 1 if it does not.</summary>
+    /// <param name="curve">The height over the step.</param>
+    /// <param name="end">The height at the end, in m.</param>
+    public static double Root(in CubicHermite curve, double end)
     {
-        Start = start;
-        StartVelocity = startVelocity;
-        StartAcceleration = startAcceleration;
-        End = end;
-        EndVelocity = endVelocity;
-        Length = length;
+        double high = end < 0 ? 1.0 : curve.Lowest;
+        var height = new HeightArc(in curve);
+        return Roots.Newton(ref height, 0, high, high, Close);
     }
 
-    /// <summary>Returns the first time at which the cubic Hermite interpolant falls to zero, or the full length if it does not.</summary>
-    public double HermiteRoot()
+    public bool Evaluate(double x, out double value, out double slope)
     {
-        CubicHermite curve = Curve;
-        double high = End < 0 ? 1.0 : curve.Lowest;
-        var height = new HeightOverArc(in curve);
-        return Roots.Newton(ref height, 0, high, high, Close) * Length;
-    }
-
-    private CubicHermite Curve => new(Start, StartVelocity * Length, End, EndVelocity * Length);
-
-    /// <summary>The height over the step. If the start is at contact, divide by s, to find the next root.</summary>
-    private readonly struct HeightOverArc : IDifferentiableFunction
-    {
-        private readonly CubicHermite _curve;
-        private readonly bool _onGround;
-
-        public HeightOverArc(in CubicHermite curve)
-        {
-            _curve = curve;
-            _onGround = curve.C0 <= 0;
-        }
-
-        public bool Evaluate(double x, out double value, out double slope)
-        {
-            value = _onGround ? _curve.C1 + (x * (_curve.C2 + (x * _curve.C3))) : _curve.At(x);
-            slope = _onGround ? _curve.C2 + (2.0 * x * _curve.C3) : _curve.SlopeAt(x);
-            return false;
-        }
+        value = _onGround ? _curve.C1 + (x * (_curve.C2 + (x * _curve.C3))) : _curve.At(x);
+        slope = _onGround ? _curve.C2 + (2.0 * x * _curve.C3) : _curve.SlopeAt(x);
+        return false;
     }
 }

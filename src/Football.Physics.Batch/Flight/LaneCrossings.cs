@@ -4,45 +4,31 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Batch;
 
 /// <summary>The balls that cross the jump in the drag law in a step, packed to fill SIMD registers.</summary>
-internal sealed class LaneCrossings
+internal sealed class LaneCrossings(int size)
 {
-    public LaneCrossings(int size)
-    {
-        Now = new LaneState(size);
-        Middle = new LaneState(size);
-        Next = new LaneState(size);
-        Share = new float[size];
-        Nx = new float[size];
-        Ny = new float[size];
-        Nz = new float[size];
-        Inside = new float[size];
-        InsideAfter = new float[size];
-        Astray = new float[size];
-    }
-
-    public LaneState Now { get; }
+    public LaneState Now { get; } = new(size);
 
     /// <summary>The state at the jump.</summary>
-    public LaneState Middle { get; }
+    public LaneState Middle { get; } = new(size);
 
-    public LaneState Next { get; }
+    public LaneState Next { get; } = new(size);
 
     /// <summary>The fraction of the step before the jump, 0 … 1.</summary>
-    public float[] Share { get; }
+    public float[] Share { get; } = new float[size];
 
-    public float[] Nx { get; }
+    public float[] Nx { get; } = new float[size];
 
-    public float[] Ny { get; }
+    public float[] Ny { get; } = new float[size];
 
-    public float[] Nz { get; }
+    public float[] Nz { get; } = new float[size];
 
     /// <summary>Masks: the branch of the drag law before and after the step.</summary>
-    public float[] Inside { get; }
+    public float[] Inside { get; } = new float[size];
 
-    public float[] InsideAfter { get; }
+    public float[] InsideAfter { get; } = new float[size];
 
     /// <summary>Mask: balls that ended on the side of the jump that they came from.</summary>
-    public float[] Astray { get; }
+    public float[] Astray { get; } = new float[size];
 
     /// <summary>Copies a ball from its group.</summary>
     [MethodImpl(Hot.Path)]

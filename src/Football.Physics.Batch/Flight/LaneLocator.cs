@@ -20,8 +20,9 @@ internal static class LaneLocator
 
         double start = piece.StartHeight - limit;
         double end = piece.EndHeight - limit;
-        var arc = new HeightArc(start > 0 ? start : 0, piece.StartRise, 0, end < 0 ? end : 0, piece.EndRise, piece.Length);
-        double tau = arc.HermiteRoot();
+        end = end < 0 ? end : 0;
+        var height = new CubicHermite(start > 0 ? start : 0, piece.StartRise * piece.Length, end, piece.EndRise * piece.Length);
+        double tau = HeightArc.Root(in height, end) * piece.Length;
         piece.At(tau, out Vector3d path, out Vector3d velocity, out double spin);
         group.End(at, piece.Start + tau, reached: true, in path, in velocity, spin);
     }

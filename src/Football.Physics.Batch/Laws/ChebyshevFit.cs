@@ -45,12 +45,6 @@ internal static class ChebyshevFit
             powers[0] = differences[k] - (points[k] * powers[0]);
         }
 
-        double[] coefficients = new double[count];
-        for (int i = 0; i < count; i++)
-        {
-            coefficients[i] = powers[i].High;
-        }
-
-        return coefficients;
+        return Array.ConvertAll(powers, power => power.High);
     }
 }

@@ -3,7 +3,10 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Batch;
 
 /// <summary>The flights that lanes can simulate, limited by the domain of the laws and the range of floats.</summary>
-internal readonly struct LaneDomain
+/// <param name="scene">The scene.</param>
+/// <param name="timeStep">The length of a step, in s.</param>
+/// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
+internal readonly struct LaneDomain(Scene scene, double timeStep)
 {
     /// <summary>The greatest speed |u|, in m/s.</summary>
     public const double GreatestSpeed = 128;
@@ -17,21 +20,10 @@ internal readonly struct LaneDomain
     /// <summary>Half the largest relative change of the motion by a force in a step. Above it, the single ball uses substeps.</summary>
     private const double LargestChange = 0.5;
 
-    private readonly double _radius;
-    private readonly double _gravity;
-    private readonly double _step;
-    private readonly RateBound _bound;
-
-    /// <param name="scene">The scene.</param>
-    /// <param name="timeStep">The length of a step, in s.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
-    public LaneDomain(Scene scene, double timeStep)
-    {
-        _radius = scene.Ball.Radius;
-        _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
-        _step = timeStep;
-        _bound = SceneLaws.DragBound(scene, GreatestSpeed) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
-    }
+    private readonly double _radius = scene.Ball.Radius;
+    private readonly double _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
+    private readonly double _step = timeStep;
+    private readonly RateBound _bound = SceneLaws.DragBound(scene, GreatestSpeed) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
 
     /// <summary>Returns a bound on the acceleration of flights in the domain, in m/s².</summary>
     /// <param name="airSpeed">The maximum |u|, in m/s.</param>

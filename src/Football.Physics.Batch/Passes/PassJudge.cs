@@ -1,7 +1,9 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>Judges kicks of a fan on their exact paths.</summary>
-internal sealed class PassJudge
+/// <param name="simulator">The open pitch.</param>
+/// <param name="amongThings">The complete scene; null if it has no objects.</param>
+internal sealed class PassJudge(Simulator simulator, Simulator? amongThings)
 {
     /// <summary>The extra time that a look-ahead covers beyond the known bound, in s.</summary>
     private const double Ahead = 0.4;
@@ -9,8 +11,6 @@ internal sealed class PassJudge
     /// <summary>The step of a kick in a scene with objects, in s.</summary>
     private const double TimeStep = 0.02;
 
-    private readonly Simulator _simulator;
-    private readonly Simulator? _amongThings;
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly Interception _query = new();
     private Trajectory _path = new();
@@ -19,15 +19,6 @@ internal sealed class PassJudge
     private LookAheadRequest[] _toImpact = [];
     private LookAheadRequest[] _toRest = [];
     private double _duration;
-
-    /// <summary>Creates a judge for a scene.</summary>
-    /// <param name="simulator">The open pitch.</param>
-    /// <param name="amongThings">The complete scene; null if it has no objects.</param>
-    public PassJudge(Simulator simulator, Simulator? amongThings)
-    {
-        _simulator = simulator;
-        _amongThings = amongThings;
-    }
 
     /// <summary>Prepares for passes of a given duration.</summary>
     public void Begin(double duration)
@@ -100,16 +91,16 @@ internal sealed class PassJudge
     private bool MeetsThing(in Vector3d from, in Vector3d velocity, in Vector3d spin, double time)
     {
         // A player who has the ball already reaches it at once.
-        if (_amongThings is null || !(time > 0))
+        if (amongThings is null || !(time > 0))
         {
             return false;
         }
 
         // A test run only: objects that it pushes are put back for the next kick.
-        BallState ball = _amongThings.Launch(from, velocity, spin);
+        BallState ball = amongThings.Launch(from, velocity, spin);
         _log.Clear();
         _log.Pushes = false;
-        _amongThings.RunChecked(ref ball, TimeStep, time, StopAt.Time, _log, null);
+        amongThings.RunChecked(ref ball, TimeStep, time, StopAt.Time, _log, null);
         bool meets = _log.Events.Dropped > 0;
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {
@@ -148,16 +139,9 @@ internal sealed class PassJudge
     private bool Fly(PassFanRequest request, int index, int seconds, out Vector3d velocity, out Vector3d spin)
     {
         request.Kick(index, out velocity, out spin);
-        BallState ball = _simulator.Launch(request.From, velocity, spin);
+        BallState ball = simulator.Launch(request.From, velocity, spin);
         bool rolls = ball.Motion != MotionState.Airborne;
-        LookAheadRequest to = rolls ? _toRest[seconds] : _toImpact[seconds];
-        _simulator.LookAhead(in ball, to, _path);
-        while (!_path.IsComplete)
-        {
-            _path = new Trajectory(2 * _path.Pieces.Length);
-            _simulator.LookAhead(in ball, to, _path);
-        }
-
+        simulator.LookAheadWhole(in ball, rolls ? _toRest[seconds] : _toImpact[seconds], ref _path);
         return rolls ? _path.Final.Motion == MotionState.Rest : _path.TryGetTouchdown(0, out _);
     }
 }

@@ -5,15 +5,15 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Batch;
 
 /// <summary>Watches kicks step by step: it bounds the time at which a team mate can reach each, and finds those that an opponent surely intercepts.</summary>
-internal sealed class PassWatch : LaneWatch
+internal sealed class PassWatch(Simulator simulator, PassPlayers players) : LaneWatch
 {
-    private readonly PassPlayers _players;
+    private readonly PassPlayers _players = players;
     private readonly bool[] _decided = new bool[LaneGroup.Size];
 
     /// <summary>For each ball of the group: the time before which nothing can happen, in s.</summary>
     private readonly double[] _idle = new double[LaneGroup.Size];
-    private readonly double _contact;
-    private readonly double _twiceGravity;
+    private readonly double _contact = simulator.ContactHeight;
+    private readonly double _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
     private double _length;
     private double _margin;
     private double _slack;
@@ -23,13 +23,6 @@ internal sealed class PassWatch : LaneWatch
     private double _windSpeed;
     private double _windDrop;
     private int _step;
-
-    public PassWatch(Simulator simulator, PassPlayers players)
-    {
-        _players = players;
-        _contact = simulator.ContactHeight;
-        _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
-    }
 
     /// <summary>For each ball: a lower bound of the time at which a team mate reaches it, in s.</summary>
     /// <remarks>Infinite if no team mate does, NaN if an opponent does before.</remarks>

@@ -78,14 +78,11 @@ internal readonly struct GoalPlane
     /// <summary>Computes the rectangle that the goalkeeper covers by a time; empty if there is no goalkeeper.</summary>
     private void Covers(double time, out double from, out double to, out double low, out double high)
     {
-        _keeper.MiddleAt(time, out double x, out double z);
-        Vector3d middle = new Vector3d(x, 0, z) - Center;
-        double off = Vector3d.Dot(in middle, Out);
-        double aside = Vector3d.Dot(in middle, in _right);
-        double radius = _hasKeeper ? _keeper.RadiusAt(time) : 0;
-        double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
-        from = aside - half;
-        to = aside + half;
+        (from, to) = (double.PositiveInfinity, double.NegativeInfinity);
+        if (_hasKeeper)
+        {
+            _keeper.Covers(in _mouth, time, out from, out to);
+        }
 
         // No ball crosses below the ground. A linear map may place it there, and a goalkeeper who reaches the ground covers it.
         low = _keeper.Lowest - Center.Y;

@@ -111,14 +111,7 @@ internal sealed class PlaneFlights
             _request = new LookAheadRequest { Duration = Longest, UntilPlane = plane };
         }
 
-        _simulator.LookAhead(in ball, _request, _path);
-        while (!_path.IsComplete)
-        {
-            // Only a full buffer ends a path early: grow it and repeat.
-            _path = new Trajectory(2 * _path.Pieces.Length);
-            _simulator.LookAhead(in ball, _request, _path);
-        }
-
+        _simulator.LookAheadWhole(in ball, _request, ref _path);
         return _path.TryGetCrossing(in plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
     }
 

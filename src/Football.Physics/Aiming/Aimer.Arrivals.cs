@@ -77,10 +77,9 @@ public sealed partial class Aimer
     {
         kick = _general.FlightAtTime(request, time);
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
+        bool there = IsThere(request, in velocity, in spin, time, out _, out isEarly);
         arrival = SpeedAt(request, in velocity, in spin, time, rolls: false);
-        isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
-        return measured.Distance <= request.Tolerance && !isEarly;
+        return there;
     }
 
     /// <summary>Returns the duration of the slowest flight to the target, in s; if no flight reaches it, that of the closest one.</summary>

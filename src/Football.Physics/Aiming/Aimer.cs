@@ -222,13 +222,18 @@ public sealed partial class Aimer
             solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
-        // A kick that passes the target at a different time is not a hit.
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
-        isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
-        bool there = measured.Distance <= request.Tolerance && !isEarly;
+        bool there = IsThere(request, in velocity, in spin, time, out MeasuredMiss measured, out isEarly);
         AimStatus status = there ? AimStatus.Hit : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
+    }
+
+    /// <summary>True if a kick hits the target at a given time. A kick that passes the target at a different time is not a hit.</summary>
+    private bool IsThere(AimRequest request, in Vector3d velocity, in Vector3d spin, double time, out MeasuredMiss measured, out bool isEarly)
+    {
+        measured = _context.Miss.Measure(request, in velocity, in spin, time);
+        isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
+        return measured.Distance <= request.Tolerance && !isEarly;
     }
 
     private static void RefuseThrough(AimRequest request)

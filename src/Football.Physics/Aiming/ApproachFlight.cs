@@ -114,7 +114,8 @@ internal abstract class ApproachFlight : KickObserver
 /// <remarks>
 /// If the kick must hit given objects first, the measurement begins after the last of them and ends at the next impact.
 /// </remarks>
-internal sealed class MeasuredFlight : ApproachFlight
+/// <param name="simulator">The scene.</param>
+internal sealed class MeasuredFlight(Simulator simulator) : ApproachFlight(simulator)
 {
     /// <summary>The value of <see cref="Blocker"/> if the ball hit only the ground.</summary>
     public const int NoThing = -1;
@@ -132,12 +133,6 @@ internal sealed class MeasuredFlight : ApproachFlight
     private int[] _things = [];
     private int _met;
     private double _fast;
-
-    /// <param name="simulator">The scene.</param>
-    public MeasuredFlight(Simulator simulator)
-        : base(simulator)
-    {
-    }
 
     /// <summary>True if the ball hit all required objects, in order, before any other.</summary>
     public bool HasMetAll => _met == _things.Length;

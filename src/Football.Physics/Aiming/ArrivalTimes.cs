@@ -6,7 +6,7 @@ namespace FootballPhysics.Aiming;
 /// slowly and one whose kick arrives too fast. If all arrive too fast, or all too slowly, it may lie at the end of the feasible times, or near a
 /// time whose kick is closer than those of both neighbours.
 /// </remarks>
-internal sealed class ArrivalTimes
+internal sealed class ArrivalTimes(Aimer aimer)
 {
     /// <summary>The ratio of successive times, and the maximum number of times.</summary>
     private const double Ratio = 1.15;
@@ -22,13 +22,11 @@ internal sealed class ArrivalTimes
     private const int Halvings = 24;
     private const double Closeness = 1e-9;
 
-    private readonly Aimer _aimer;
+    private readonly Aimer _aimer = aimer;
     private readonly Node[] _nodes = new Node[Most];
     private AimRequest _request = new();
     private double _speed;
     private Node _closest;
-
-    public ArrivalTimes(Aimer aimer) => _aimer = aimer;
 
     /// <summary>Scans the times of flight, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
     public AimResult Find(AimRequest request, double speed)

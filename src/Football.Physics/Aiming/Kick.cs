@@ -47,18 +47,12 @@ internal struct Kick
 }
 
 /// <summary>The bounds of a kick's elevation, in rad.</summary>
-internal readonly struct ElevationBounds
+internal readonly struct ElevationBounds(double lowest, double highest)
 {
     private const double Degree = Math.PI / 180.0;
 
-    public readonly double Lowest;
-    public readonly double Highest;
-
-    public ElevationBounds(double lowest, double highest)
-    {
-        Lowest = lowest;
-        Highest = highest;
-    }
+    public readonly double Lowest = lowest;
+    public readonly double Highest = highest;
 
     /// <summary>Returns the bounds of a request.</summary>
     public static ElevationBounds Of(AimRequest request) => OfDegrees(request.MinimumElevationDegrees, request.MaximumElevationDegrees);

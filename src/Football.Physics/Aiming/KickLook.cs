@@ -3,7 +3,8 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Aiming;
 
 /// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>
-internal class KickLook : ApproachFlight
+/// <param name="simulator">The scene.</param>
+internal class KickLook(Simulator simulator) : ApproachFlight(simulator)
 {
     /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; a longer step of sliding would be split and save nothing.</summary>
     private const double GroundShare = 0.2;
@@ -12,13 +13,9 @@ internal class KickLook : ApproachFlight
     /// <summary>The difference in height, in m, beyond which a ball on level ground cannot hit the target: it then needs no short steps.</summary>
     private const double OutOfReach = 0.05;
 
-    private readonly bool _isLevel;
+    private readonly bool _isLevel = simulator.World.Ground is { IsLevelGround: true };
     private Vector3d _gap;
     private bool _approaches;
-
-    /// <param name="simulator">The scene.</param>
-    public KickLook(Simulator simulator)
-        : base(simulator) => _isLevel = simulator.World.Ground is { IsLevelGround: true };
 
     /// <summary>The positions of the ball and the target.</summary>
     protected TargetFrame Frame { get; private set; }
@@ -119,15 +116,10 @@ internal class KickLook : ApproachFlight
 /// In still air, rotating the azimuth rotates the whole flight. So rotate the target to the ball's bearing instead: only the target's distance
 /// and height matter, and one flight yields the azimuth that hits.
 /// </remarks>
-internal sealed class TurningLook : KickLook
+/// <param name="simulator">The scene.</param>
+internal sealed class TurningLook(Simulator simulator) : KickLook(simulator)
 {
     private bool _isBeyond;
-
-    /// <param name="simulator">The scene.</param>
-    public TurningLook(Simulator simulator)
-        : base(simulator)
-    {
-    }
 
     public override Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {

@@ -1,25 +1,18 @@
 namespace FootballPhysics.Aiming;
 
 /// <summary>Measures the miss of a kick before its first impact, in accurate steps.</summary>
-internal sealed class MissMeter
+/// <param name="context">The data shared by the searches.</param>
+/// <param name="simulator">The scene.</param>
+internal sealed class MissMeter(AimContext context, Simulator simulator)
 {
-    private readonly AimContext _context;
-    private readonly Simulator _simulator;
-    private readonly MeasuredFlight _shot;
+    private readonly AimContext _context = context;
+    private readonly Simulator _simulator = simulator;
+    private readonly MeasuredFlight _shot = new(simulator);
     private AimRequest? _measured;
     private Vector3d _measuredVelocity;
     private Vector3d _measuredSpin;
     private double? _measuredTime;
     private MeasuredMiss _miss;
-
-    /// <param name="context">The data shared by the searches.</param>
-    /// <param name="simulator">The scene.</param>
-    public MissMeter(AimContext context, Simulator simulator)
-    {
-        _context = context;
-        _simulator = simulator;
-        _shot = new MeasuredFlight(simulator);
-    }
 
     /// <summary>Returns the name of a blocking object.</summary>
     public string? NameOf(int thing) => _simulator.NameOf(thing);

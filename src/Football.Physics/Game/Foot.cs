@@ -100,7 +100,7 @@ public sealed class Foot
         }
 
         // Find the largest fraction of the kick within the speed limit.
-        var part = new Part(this, ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
+        var part = new Part(this, ball, velocity, spin, wantedVelocity, wantedSpin);
         for (int i = Shares - 1; i >= 0; i--)
         {
             // Scan downwards from the full kick: the first feasible fraction brackets the largest feasible one.
@@ -190,31 +190,14 @@ public sealed class Foot
     }
 
     /// <summary>A fraction of a wanted kick: its speed and its change of spin are scaled.</summary>
-    private readonly struct Part : ICondition
+    private readonly struct Part(Foot foot, BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d wantedVelocity, Vector3d wantedSpin) : ICondition
     {
-        private readonly Foot _foot;
-        private readonly BallProperties _ball;
-        private readonly Vector3d _velocity;
-        private readonly Vector3d _spin;
-        private readonly Vector3d _wantedVelocity;
-        private readonly Vector3d _wantedSpin;
-
-        public Part(Foot foot, BallProperties ball, in Vector3d velocity, in Vector3d spin, in Vector3d wantedVelocity, in Vector3d wantedSpin)
-        {
-            _foot = foot;
-            _ball = ball;
-            _velocity = velocity;
-            _spin = spin;
-            _wantedVelocity = wantedVelocity;
-            _wantedSpin = wantedSpin;
-        }
-
         /// <summary>Returns the strike for a fraction.</summary>
         public FootStrike Of(double share) =>
-            _foot.Inverse(_ball, in _velocity, in _spin, share * _wantedVelocity, _spin + (share * (_wantedSpin - _spin)));
+            foot.Inverse(ball, in velocity, in spin, share * wantedVelocity, spin + (share * (wantedSpin - spin)));
 
         /// <summary>True if a fraction needs an impulse; false if the ball already has the velocity.</summary>
-        public bool Changes(double share) => ((share * _wantedVelocity) - _velocity).Length > 0;
+        public bool Changes(double share) => ((share * wantedVelocity) - velocity).Length > 0;
 
         /// <summary>Returns the foot velocity for a fraction; zero without an impulse.</summary>
         public Vector3d Takes(double share) => Changes(share) ? Of(share).FootVelocity : Vector3d.Zero;
@@ -222,7 +205,7 @@ public sealed class Foot
         public bool Evaluate(double x, out bool holds)
         {
             // True if the foot's speed would be too high or is NaN.
-            holds = !(Takes(x).Length <= _foot.MaximumSpeed);
+            holds = !(Takes(x).Length <= foot.MaximumSpeed);
             return false;
         }
     }

@@ -1,21 +1,15 @@
 namespace FootballPhysics.Game;
 
 /// <summary>The clock of a runner: divides frame times into fixed steps, and drops what exceeds a limit.</summary>
-internal sealed class FrameClock
+internal sealed class FrameClock(double timeStep, double maximumFrameTime)
 {
     private double _left;
 
-    public FrameClock(double timeStep, double maximumFrameTime)
-    {
-        TimeStep = timeStep;
-        MaximumFrameTime = maximumFrameTime;
-    }
-
     /// <summary>The length of a step, in s.</summary>
-    public double TimeStep { get; }
+    public double TimeStep { get; } = timeStep;
 
     /// <summary>The maximum simulated time per frame, in s.</summary>
-    public double MaximumFrameTime { get; }
+    public double MaximumFrameTime { get; } = maximumFrameTime;
 
     /// <summary>The time dropped from the last frame, in s.</summary>
     public double DroppedTime { get; private set; }

@@ -313,9 +313,7 @@ public sealed class Recording
         ulong hash = 0;
         for (int i = 0; i < runner.Balls; i++)
         {
-            // Mix the hashes in order, so that swapping two balls changes the result. For a single ball, the result is the ball's own hash.
-            ulong own = runner.SimulatorOf(i).SceneHash;
-            hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
+            hash = Snapshot.Hash(i, hash, runner.SimulatorOf(i).SceneHash);
         }
 
         return runner.Group is null ? hash : hash ^ Simulation.SceneHash.Of(runner.Group.Contact);

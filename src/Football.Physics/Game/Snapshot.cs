@@ -37,13 +37,15 @@ public static class Snapshot
         ulong hash = 0;
         for (int i = 0; i < states.Length; i++)
         {
-            // Multiply between the hashes, so that the order of the balls matters.
-            ulong own = Hash(in states[i]);
-            hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
+            hash = Hash(i, hash, Hash(in states[i]));
         }
 
         return hash;
     }
+
+    /// <summary>Adds the hash of a ball to the hash of the balls before it. For the first ball, the result is the ball's own hash.</summary>
+    internal static ulong Hash(int ball, ulong before, ulong own) =>
+        ball == 0 ? own : ((before ^ own) * 0x9FB21C651E98DF25UL) ^ (before >> 32); // Multiply between the hashes, so that the order of the balls matters.
 
     /// <summary>True if two states are bit-identical.</summary>
     /// <remarks>Unlike ==, 0 and −0 differ, and NaN equals itself.</remarks>
@@ -86,11 +88,7 @@ public static class Snapshot
     /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
     public static void Write(in BallState state, Span<byte> destination)
     {
-        if (destination.Length < Size)
-        {
-            throw new ArgumentException($"destination has {destination.Length} bytes; allowed: {Size} or more.", nameof(destination));
-        }
-
+        Check.Bytes(nameof(destination), destination.Length, Size);
         Span<ulong> words = stackalloc ulong[StateFields.Count];
         StateFields.Read(in state, words);
         for (int i = 0; i < Fields; i++)
@@ -110,11 +108,7 @@ public static class Snapshot
     /// unknown, or a number is not finite or exceeds 1e45 m, 1e30 m/s, 1e35 rad/s or 1e15 s.</exception>
     public static BallState Read(ReadOnlySpan<byte> source)
     {
-        if (source.Length < Size)
-        {
-            throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
-        }
-
+        Check.Bytes(nameof(source), source.Length, Size);
         // Copy the bytes, so that no other thread can change them after the check.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);

@@ -74,11 +74,7 @@ internal static class WireForm
     /// <summary>Writes a state if the bytes represent it exactly; returns false otherwise.</summary>
     public static bool TryWrite(Simulator simulator, double timeStep, in BallState state, Span<byte> destination)
     {
-        if (destination.Length < Size)
-        {
-            throw new ArgumentException($"destination has {destination.Length} bytes; allowed: {Size} or more.", nameof(destination));
-        }
-
+        Check.Bytes(nameof(destination), destination.Length, Size);
         var bits = default(WireBits);
 
         // Write only states that decode bit-identically: reject a ball that is not rounded, and a ball whose state the format cannot store.
@@ -94,11 +90,7 @@ internal static class WireForm
     /// <summary>Reads a state, and rejects bytes that no state produces.</summary>
     public static BallState Read(Simulator simulator, double timeStep, ReadOnlySpan<byte> source)
     {
-        if (source.Length < Size)
-        {
-            throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
-        }
-
+        Check.Bytes(nameof(source), source.Length, Size);
         // Older Mono runtimes cannot index a read-only span.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);

@@ -48,6 +48,18 @@ internal static class Check
         }
     }
 
+    /// <summary>Throws if a span of bytes is too short.</summary>
+    /// <param name="argument">The name of the span.</param>
+    /// <param name="length">Its length.</param>
+    /// <param name="least">The length required.</param>
+    public static void Bytes(string argument, int length, int least)
+    {
+        if (length < least)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{argument} has {length} bytes; allowed: {least} or more."), argument);
+        }
+    }
+
     public static void Within(string field, long value, long low, long high)
     {
         if (!(value >= low && value <= high))

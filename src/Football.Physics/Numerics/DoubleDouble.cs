@@ -59,21 +59,6 @@ internal readonly struct DoubleDouble
         return Joined(first, second) + (rest.High / b.High);
     }
 
-    /// <summary>Converts a decimal fraction, such as a printed constant.</summary>
-    /// <param name="value">The fraction, with at most 15 digits.</param>
-    public static DoubleDouble Of(decimal value)
-    {
-        // Divide an integer by a power of ten; both are exact below 16 digits.
-        double scale = 1;
-        while (value != decimal.Truncate(value))
-        {
-            value *= 10;
-            scale *= 10;
-        }
-
-        return (DoubleDouble)(double)value / scale;
-    }
-
     /// <summary>Returns e^x for |x| ≤ 700.</summary>
     public static DoubleDouble Exp(in DoubleDouble x)
     {

@@ -76,6 +76,12 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     /// <param name="fraction">0 is the start, 1 the end; other values extrapolate.</param>
     public static Vector3d Lerp(in Vector3d a, in Vector3d b, double fraction) => a + (fraction * (b - a));
 
+    /// <summary>Returns the unit vector along an axis: x (0), y (1) or z (2).</summary>
+    internal static Vector3d Axis(int axis) => new(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+
+    /// <summary>Returns the component along an axis: x (0), y (1) or z (2).</summary>
+    internal double Along(int axis) => axis == 0 ? X : axis == 1 ? Y : Z;
+
     /// <summary>Deconstructs the vector into its components.</summary>
     /// <param name="x">The x component.</param>
     /// <param name="y">The y component, up.</param>

@@ -65,20 +65,7 @@ public sealed class GroupLookAheadRun
             _uses[i] = _paths[i].Uses;
         }
 
-        if (_paths[0].OnStep is { } move)
-        {
-            // Move the bodies to the start time, because the game may have set them to another time.
-            _motions.Enter();
-            try
-            {
-                move(in from[0]);
-            }
-            finally
-            {
-                _motions.Leave();
-            }
-        }
-
+        _motions.MoveTo(in from[0], _paths[0].OnStep);
         Steps = 0;
         IsRunning = true;
     }

@@ -3,28 +3,20 @@ using FootballPhysics.Contacts;
 namespace FootballPhysics.Prediction;
 
 /// <summary>The steps of a look-ahead of several balls, taken one at a time.</summary>
-internal sealed class GroupLookAheadSteps
+/// <param name="group">The balls.</param>
+/// <param name="into">Receives the path of each ball.</param>
+internal sealed class GroupLookAheadSteps(BallGroup group, Trajectory[] into)
 {
-    private readonly BallGroup _group;
-    private readonly BallState[] _states;
-    private readonly Trajectory[] _into;
-    private readonly StepLog[] _logs;
+    private readonly BallGroup _group = group;
+    private readonly BallState[] _states = new BallState[group.Count];
+    private readonly Trajectory[] _into = into;
+    private readonly StepLog[] _logs = [.. into.Select(path => path.Log)];
     private StopAt _stopAt;
     private double _step;
     private double _end;
     private double _last;
     private bool _hasBegun;
     private bool _hasEnded;
-
-    /// <param name="group">The balls.</param>
-    /// <param name="into">Receives the path of each ball.</param>
-    public GroupLookAheadSteps(BallGroup group, Trajectory[] into)
-    {
-        _group = group;
-        _states = new BallState[group.Count];
-        _into = into;
-        _logs = [.. into.Select(path => path.Log)];
-    }
 
     /// <summary>True if the time has run out, or an event has ended the look-ahead.</summary>
     public bool HasEnded => _hasEnded || (_hasBegun && !(_states[0].Time < _last));

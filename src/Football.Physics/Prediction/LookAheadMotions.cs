@@ -53,4 +53,23 @@ internal sealed class LookAheadMotions
             _world.PutMotionsBack();
         }
     }
+
+    /// <summary>Moves the bodies to the start time, because the game may have set them to another time.</summary>
+    public void MoveTo(in BallState start, Simulator.StepCallback? move)
+    {
+        if (move is null)
+        {
+            return;
+        }
+
+        Enter();
+        try
+        {
+            move(in start);
+        }
+        finally
+        {
+            Leave();
+        }
+    }
 }

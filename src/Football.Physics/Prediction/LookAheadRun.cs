@@ -165,18 +165,6 @@ public sealed class LookAheadRun
         _uses = Path.Uses;
         Path.Log.Pushes = _simulator.World.MayGiveWay;
         Path.Pause(in _from);
-        if (Path.OnStep is { } move)
-        {
-            // Move the bodies to the start time, because the game may have set them to another time.
-            _motions.Enter();
-            try
-            {
-                move(in _from);
-            }
-            finally
-            {
-                _motions.Leave();
-            }
-        }
+        _motions.MoveTo(in _from, Path.OnStep);
     }
 }

@@ -3,10 +3,10 @@ using FootballPhysics.Simulation;
 namespace FootballPhysics.Prediction;
 
 /// <summary>Stores the segments of a path, and ends the look-ahead as soon as a stop condition is met.</summary>
-internal sealed class PathRecorder : PieceObserver
+internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : PieceObserver
 {
-    private readonly Trajectory _owner;
-    private readonly PathSegment[] _pieces;
+    private readonly Trajectory _owner = owner;
+    private readonly PathSegment[] _pieces = pieces;
     private bool _untilPlane;
     private Plane3d _plane;
     private bool _untilPassing;
@@ -16,12 +16,6 @@ internal sealed class PathRecorder : PieceObserver
     private BallState _openEnd;
     private double _openLength;
     private bool _isShown; // true if it has been completed for a pause
-
-    public PathRecorder(Trajectory owner, PathSegment[] pieces)
-    {
-        _owner = owner;
-        _pieces = pieces;
-    }
 
     public override bool WantsEndAcceleration => true;
 

@@ -41,6 +41,18 @@ public static class SimulatorExtensions
         }
     }
 
+    /// <summary>Predicts a path of any length: while the buffer is full, it repeats with one twice as large.</summary>
+    internal static void LookAheadWhole(this Simulator simulator, in BallState from, LookAheadRequest request, ref Trajectory into)
+    {
+        simulator.LookAhead(in from, request, into);
+        while (!into.IsComplete)
+        {
+            // Only a full buffer ends a path early; exceptions of custom forces pass through.
+            into = new Trajectory(2 * into.Pieces.Length);
+            simulator.LookAhead(in from, request, into);
+        }
+    }
+
     /// <summary>Predicts the paths of several balls, including their contacts with each other.</summary>
     /// <param name="group">The balls.</param>
     /// <param name="from">The states of the balls; unchanged.</param>

@@ -19,52 +19,11 @@ public sealed partial class Trajectory
             ref readonly PathSegment piece = ref Piece(i);
             if (i == 0 || piece.Apex > best.Position.Y)
             {
-                double time = piece.ApexTime;
-                best = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
+                best = At(in piece, piece.ApexTime);
             }
         }
 
         return best;
-    }
-
-    /// <summary>Finds a crossing of a plane by its index.</summary>
-    /// <param name="plane">The plane.</param>
-    /// <param name="index">The index, from 0, among the crossings in this direction.</param>
-    /// <param name="direction">The direction of the crossing.</param>
-    /// <param name="crossing">The point of the crossing.</param>
-    /// <returns>False if there are fewer crossings.</returns>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> is the default value, <paramref name="index"/> is negative, or
-    /// <paramref name="direction"/> is not a value of the enumeration.</exception>
-    internal bool TryGetCrossing(in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
-    {
-        plane.Validate(nameof(plane));
-        Check.AtLeast(nameof(index), index, 0);
-        Check.Defined(nameof(direction), direction, (int)direction, 3);
-        for (int i = 0; i < Count; i++)
-        {
-            ref readonly PathSegment piece = ref Piece(i);
-            if (!piece.Crosses(plane.Point, plane.Normal, out double time))
-            {
-                continue;
-            }
-
-            // The first crossing in a segment leaves the side on which the segment starts; a second crossing returns to it.
-            bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
-            if (Matches(direction, along) && index-- == 0)
-            {
-                crossing = At(in piece, time);
-                return true;
-            }
-
-            if (piece.CrossesBack(plane.Point, plane.Normal, time, out double back) && Matches(direction, !along) && index-- == 0)
-            {
-                crossing = At(in piece, back);
-                return true;
-            }
-        }
-
-        crossing = default;
-        return false;
     }
 
     /// <summary>Returns the closest approach to a line segment, such as a bar, a leg or a line on the pitch.</summary>
@@ -86,7 +45,7 @@ public sealed partial class Trajectory
                 double distance = Distance(piece.PositionAt(time), in from, in to);
                 if (distance < best.Distance)
                 {
-                    best = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), distance);
+                    best = At(in piece, time, distance);
                 }
             }
         }
@@ -121,10 +80,7 @@ public sealed partial class Trajectory
         return count;
     }
 
-    private static bool Matches(CrossingDirection direction, bool along) =>
-        direction == CrossingDirection.Any || along == (direction == CrossingDirection.AlongNormal);
-
-    private static PathPoint At(in PathSegment piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
+    private static PathPoint At(in PathSegment piece, double time, double distance = 0) => new(time, piece.PositionAt(time), piece.VelocityAt(time), distance);
 
     /// <summary>Golden-section search for the closest approach over a part of a segment.</summary>
     private static double Closest(in PathSegment piece, double a, double b, in Vector3d from, in Vector3d to)

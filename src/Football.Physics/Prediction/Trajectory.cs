@@ -167,7 +167,7 @@ public sealed partial class Trajectory
             ref readonly PathSegment piece = ref _pieces[i];
             if (piece.Crosses(plane.Point, plane.Normal, out double time))
             {
-                crossing = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
+                crossing = At(in piece, time);
                 return true;
             }
         }
@@ -190,7 +190,7 @@ public sealed partial class Trajectory
             if (squared < bestSquared || i == 0)
             {
                 bestSquared = squared;
-                best = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), Math.Sqrt(squared));
+                best = At(in piece, time, Math.Sqrt(squared));
             }
         }
 

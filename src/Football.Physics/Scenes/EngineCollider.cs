@@ -13,10 +13,7 @@ public sealed class EngineCollider
     private readonly bool _hasShape;
     private readonly double _mass = double.PositiveInfinity;
     private int _layer;
-    private Vector3d _pushed;
-    private Vector3d _gone;
-    private double _pushedAt = double.NaN;
-    private bool _isAsPlaced = true;
+    private EnginePush _push = new() { At = double.NaN, IsAsPlaced = true };
 
     /// <summary>Creates a collider of a known shape; place it with <see cref="MoveTo"/>.</summary>
     /// <param name="name">The name used in events.</param>
@@ -118,7 +115,7 @@ public sealed class EngineCollider
         Placement.Motion.Velocity = velocity;
         Placement.Motion.Spin = spin;
         Placement.Motion.Rotate(Shape);
-        _isAsPlaced = true;
+        _push.IsAsPlaced = true;
     }
 
     /// <summary>Sets the surface of a collider without a known shape, at the expected point of contact.</summary>
@@ -141,7 +138,7 @@ public sealed class EngineCollider
         Placement.Motion.Origin = point;
         Placement.Motion.Pivot = point;
         Placement.Motion.Velocity = velocity;
-        _isAsPlaced = true;
+        _push.IsAsPlaced = true;
     }
 
     /// <summary>Changes the velocity in an impact.</summary>
@@ -149,31 +146,28 @@ public sealed class EngineCollider
     {
         // The engine reports positions at its own time: move the position back as if the new velocity had applied since then.
         ref RigidMotion motion = ref Placement.Motion;
-        bool isFirst = _pushedAt != motion.Time;
+        bool isFirst = _push.At != motion.Time;
         Vector3d change = velocity - motion.Velocity;
         Vector3d back = (motion.Time - time) * change;
-        _pushed = isFirst ? change : _pushed + change;
-        _gone = isFirst ? back : _gone + back;
-        _pushedAt = motion.Time;
+        _push.Pushed = isFirst ? change : _push.Pushed + change;
+        _push.Gone = isFirst ? back : _push.Gone + back;
+        _push.At = motion.Time;
         motion.Origin += back;
         motion.Pivot += back;
         motion.Velocity = velocity;
     }
 
     /// <summary>The engine's time of the last push; NaN if there was none.</summary>
-    internal double PushedAt => _pushedAt;
+    internal double PushedAt => _push.At;
 
     /// <summary>The motion, and the pushes received so far.</summary>
     internal EnginePush PushSoFar
     {
-        get => new() { Motion = Placement.Motion, Pushed = _pushed, Gone = _gone, At = _pushedAt, IsAsPlaced = _isAsPlaced };
+        get => _push with { Motion = Placement.Motion };
         set
         {
             Placement.Motion = value.Motion;
-            _pushed = value.Pushed;
-            _gone = value.Gone;
-            _pushedAt = value.At;
-            _isAsPlaced = value.IsAsPlaced;
+            _push = value;
         }
     }
 
@@ -181,14 +175,14 @@ public sealed class EngineCollider
     internal void ForgetPush()
     {
         // Undo the push, unless the engine has placed the collider since: the new position excludes the push.
-        if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)
+        if (_push.At == Placement.Motion.Time && !_push.IsAsPlaced)
         {
-            Placement.Motion.Origin -= _gone;
-            Placement.Motion.Pivot -= _gone;
-            Placement.Motion.Velocity -= _pushed;
+            Placement.Motion.Origin -= _push.Gone;
+            Placement.Motion.Pivot -= _push.Gone;
+            Placement.Motion.Velocity -= _push.Pushed;
         }
 
-        _pushedAt = double.NaN;
+        _push.At = double.NaN;
     }
 
     /// <summary>Sets the engine's time of the current position, and reapplies pushes received since that time.</summary>
@@ -198,14 +192,14 @@ public sealed class EngineCollider
         motion.Time = time;
 
         // The engine placed the collider again at the same time, so the position lacks the push: add the push.
-        if (_isAsPlaced && _pushedAt == time)
+        if (_push.IsAsPlaced && _push.At == time)
         {
-            motion.Origin += _gone;
-            motion.Pivot += _gone;
-            motion.Velocity += _pushed;
+            motion.Origin += _push.Gone;
+            motion.Pivot += _push.Gone;
+            motion.Velocity += _push.Pushed;
         }
 
-        _isAsPlaced = false;
+        _push.IsAsPlaced = false;
     }
 
     private static int NumberOf(string name)

@@ -1,15 +1,15 @@
 namespace FootballPhysics.Scenes;
 
 /// <summary>A snapshot of an engine collider: its motion and the impulses it received.</summary>
-internal readonly struct EnginePush
+internal struct EnginePush
 {
-    public RigidMotion Motion { get; init; }
+    public RigidMotion Motion { get; set; }
 
-    public Vector3d Pushed { get; init; }
+    public Vector3d Pushed { get; set; }
 
-    public Vector3d Gone { get; init; }
+    public Vector3d Gone { get; set; }
 
-    public double At { get; init; }
+    public double At { get; set; }
 
-    public bool IsAsPlaced { get; init; }
+    public bool IsAsPlaced { get; set; }
 }

@@ -5,31 +5,21 @@ namespace FootballPhysics.Scenes;
 /// The mouth is the plane of the posts' axes, between the posts and below the crossbar. A goal counts if the ball's centre passes through the mouth and then
 /// the line, R + r behind it, without coming back through the mouth. At that point, the entire ball is over a line as wide as the posts.
 /// </remarks>
-internal readonly struct GoalMouth
+internal readonly struct GoalMouth(Goal goal)
 {
     /// <summary>The distance to the line at which the ball counts as over it, in m.</summary>
     private const double Reached = 1e-10;
 
-    private readonly Vector3d _right;
-    private readonly double _halfWidth;
-    private readonly double _height;
-    private readonly double _postRadius;
-
-    public GoalMouth(Goal goal)
-    {
-        Center = goal.Center;
-        Out = goal.Out;
-        _right = goal.Right;
-        _halfWidth = 0.5 * goal.Width;
-        _height = goal.Height;
-        _postRadius = goal.PostRadius;
-    }
+    private readonly Vector3d _right = goal.Right;
+    private readonly double _halfWidth = 0.5 * goal.Width;
+    private readonly double _height = goal.Height;
+    private readonly double _postRadius = goal.PostRadius;
 
     /// <summary>The centre of the goal line, in m.</summary>
-    public Vector3d Center { get; }
+    public Vector3d Center { get; } = goal.Center;
 
     /// <summary>The unit normal of the mouth, towards the pitch.</summary>
-    public Vector3d Out { get; }
+    public Vector3d Out { get; } = goal.Out;
 
     /// <summary>A bounding box of the opening.</summary>
     public Bounds3d Bounds

@@ -19,12 +19,8 @@ public interface IForce
     /// <exception cref="ArgumentNullException"><paramref name="force"/> is null.</exception>
     static IForce From(Func<ForceContext, Vector3d> force) => new FunctionForce(force ?? throw new ArgumentNullException(nameof(force)));
 
-    private sealed class FunctionForce : IForce
+    private sealed class FunctionForce(Func<ForceContext, Vector3d> force) : IForce
     {
-        private readonly Func<ForceContext, Vector3d> _force;
-
-        public FunctionForce(Func<ForceContext, Vector3d> force) => _force = force;
-
-        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(_force(ball));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(force(ball));
     }
 }

@@ -56,21 +56,8 @@ public sealed class SurfaceRectangles : ISurfacePattern
         return i;
     }
 
-    private readonly struct Rectangle
+    private readonly struct Rectangle(double minX, double minZ, double maxX, double maxZ)
     {
-        private readonly double _minX;
-        private readonly double _minZ;
-        private readonly double _maxX;
-        private readonly double _maxZ;
-
-        public Rectangle(double minX, double minZ, double maxX, double maxZ)
-        {
-            _minX = minX;
-            _minZ = minZ;
-            _maxX = maxX;
-            _maxZ = maxZ;
-        }
-
-        public bool Holds(double x, double z) => x >= _minX && x <= _maxX && z >= _minZ && z <= _maxZ;
+        public bool Holds(double x, double z) => x >= minX && x <= maxX && z >= minZ && z <= maxZ;
     }
 }

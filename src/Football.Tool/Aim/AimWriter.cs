@@ -1,6 +1,6 @@
-using System.Text.Json;
-using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Aim;
 
@@ -12,20 +12,12 @@ internal static class AimWriter
     {
         json.WriteString("name", name);
         json.WriteString("status", Words.Of(result.Status));
-        WriteVector(json, "velocity", result.Velocity);
-        WriteVector(json, "spin", result.Spin);
+        ResultWriter.WriteVector(json, "velocity", result.Velocity);
+        ResultWriter.WriteVector(json, "spin", result.Spin);
         json.WriteNumber("miss", result.Miss);
-        if (result.WaypointMiss is { } throughMiss)
-        {
-            json.WriteNumber("throughMiss", throughMiss);
-        }
-        else
-        {
-            json.WriteNull("throughMiss");
-        }
-
+        json.WriteFinite("throughMiss", result.WaypointMiss);
         json.WriteNumber("time", result.Time);
-        WriteVector(json, "closest", result.Closest);
+        ResultWriter.WriteVector(json, "closest", result.Closest);
         json.WriteNumber("iterations", result.Iterations);
         json.WriteNumber("simulations", result.Simulations);
         json.WriteString("arc", Words.Of(result.Arc));
@@ -35,13 +27,4 @@ internal static class AimWriter
             json.WriteString("blockedBy", blocker);
         }
     });
-
-    private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
-    {
-        json.WriteStartArray(name);
-        json.WriteNumberValue(vector.X);
-        json.WriteNumberValue(vector.Y);
-        json.WriteNumberValue(vector.Z);
-        json.WriteEndArray();
-    }
 }

@@ -97,4 +97,17 @@ internal static class Arguments
         result.AddError($"{name} is {Quote.Short(result.Tokens[token].Value)}; allowed: {allowed}.");
         return default;
     }
+
+    /// <summary>Runs a function; translates an error of the library to the names and values of the input.</summary>
+    public static T Refusing<T>(InputFields fields, Func<T> work)
+    {
+        try
+        {
+            return work();
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
+        {
+            throw translated;
+        }
+    }
 }

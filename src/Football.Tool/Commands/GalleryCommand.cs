@@ -86,24 +86,12 @@ internal static class GalleryCommand
     {
         ShotFigures figures = shown.Figures;
         json.WriteString("name", shown.Shot.Id);
-        Write("carry", figures.Carry);
-        Write("apex", figures.Apex);
-        Write("hangTime", figures.HangTime);
-        Write("deflection", figures.Deflection);
+        json.WriteFinite("carry", figures.Carry);
+        json.WriteFinite("apex", figures.Apex);
+        json.WriteFinite("hangTime", figures.HangTime);
+        json.WriteFinite("deflection", figures.Deflection);
         json.WriteNumber("bounces", figures.Bounces);
-        Write("restTime", figures.RestTime);
-        Write("distance", figures.Distance);
-
-        void Write(string name, double? value)
-        {
-            if (value is null)
-            {
-                json.WriteNull(name);
-            }
-            else
-            {
-                json.WriteNumber(name, value.Value);
-            }
-        }
+        json.WriteFinite("restTime", figures.RestTime);
+        json.WriteFinite("distance", figures.Distance);
     });
 }

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Text.Json;
 using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Tool.Replay;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
 
@@ -47,22 +48,15 @@ internal static class KickCommand
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
         JsonElement scenario = JsonSerializer.SerializeToElement(new
         {
-            launch = new { position = Parts(Vector3d.Zero), velocity = Parts(velocity), spin = Parts(spin) },
+            launch = new { position = SceneShapeJson.Parts(Vector3d.Zero), velocity = SceneShapeJson.Parts(velocity), spin = SceneShapeJson.Parts(spin) },
             stop = new { at = "rest", time = Duration },
         });
         var fields = new InputFields(FieldOverride.Apply(scenario, overrides));
-        Scenario shot;
-        Flight flight;
-        try
+        (Scenario shot, Flight flight) = Arguments.Refusing(fields, () =>
         {
-            shot = Scenario.Read(fields);
-            flight = new Flight(shot);
-        }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
-        {
-            throw translated;
-        }
-
+            var read = Scenario.Read(fields);
+            return (read, new Flight(read));
+        });
         if (!json)
         {
             new ShotReport(shot, ViewFrame.Direction(1, 0, 0)).Print(terminal.PersonConsole, flight.Outcome);
@@ -76,6 +70,4 @@ internal static class KickCommand
         svg?.Write(ShotDrawing.Draw(new GalleryShot { Id = "kick", Name = kick.Text, About = "", Scenario = shot }, flight, null, []));
         return ExitCode.Done;
     }
-
-    private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
 }

@@ -69,17 +69,13 @@ internal static class ReplayCommand
             using Stream input = Arguments.OpenInput(file, terminal);
             InputCase read = InputCase.Read(new LineReader(input).ReadToEnd(), overrides);
             InputFields fields = read.Scenario ?? throw read.Refusal!;
-            try
+            played.Add(Arguments.Refusing(fields, () =>
             {
                 var scenario = Scenario.Read(fields);
                 string unnamed = scenario.Balls.Count > 0 ? FormattableString.Invariant($"{scenario.Balls.Count} balls") : KickNumbers.Of(scenario).Text;
                 string name = read.Name ?? (file == "-" ? unnamed : Path.GetFileNameWithoutExtension(file));
-                played.Add((name, scenario, ScenarioRun.Play(scenario)));
-            }
-            catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
-            {
-                throw translated;
-            }
+                return (name, scenario, ScenarioRun.Play(scenario));
+            }));
         }
 
         return played;

@@ -1,6 +1,6 @@
-using System.Text.Json;
 using FootballPhysics.Scenarios;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Fit;
 
@@ -25,14 +25,14 @@ internal static class FitWriter
         writer.WriteStartObject("deviations");
         for (int i = 0; i < fit.Names.Count; i++)
         {
-            WriteError(writer, fit.Names[i], fit.StandardError(i));
+            writer.WriteFinite(fit.Names[i], fit.StandardError(i));
         }
 
-        WriteError(writer, "spin.alongVelocity", fit.SpinAlongVelocityError);
+        writer.WriteFinite("spin.alongVelocity", fit.SpinAlongVelocityError);
         if (fit.DepthError is { } depth)
         {
-            WriteError(writer, "position.depth", depth);
-            WriteError(writer, "path.depth", fit.PathDepthError ?? double.PositiveInfinity);
+            writer.WriteFinite("position.depth", depth);
+            writer.WriteFinite("path.depth", fit.PathDepthError);
         }
 
         writer.WriteEndObject();
@@ -55,17 +55,4 @@ internal static class FitWriter
             ResultWriter.WriteVector(writer, "otherSpin", other);
         }
     });
-
-    /// <summary>Writes an error; null if it is infinite.</summary>
-    private static void WriteError(Utf8JsonWriter writer, string name, double error)
-    {
-        if (double.IsFinite(error))
-        {
-            writer.WriteNumber(name, error);
-        }
-        else
-        {
-            writer.WriteNull(name);
-        }
-    }
 }

@@ -97,32 +97,24 @@ internal sealed class MatchCommand
         using var plot = OutputFile.Open("--plot", parsed.GetValue(_plot));
         InputCase input = InputCase.Read(new InputLine("{}"u8.ToArray(), false), [.. overrides, .. given]);
         InputFields fields = input.Scenario ?? throw input.Refusal!;
-        Scene scene;
-        try
+        Scene scene = Arguments.Refusing(fields, () =>
         {
-            scene = SceneInput.Scene(fields.Root);
+            Scene taken = SceneInput.Scene(fields.Root);
             fields.Check();
-        }
-        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
-        {
-            throw refusal;
-        }
+            return taken;
+        });
 
         // Print the guesses only after the track was read, because a rejected track prints one line.
         List<string> guesses = [];
         using Stream stream = Arguments.OpenInput(file, terminal);
         TrackReading reading = TrackReader.Reading(stream, guesses.Add, format, scene.Gravity);
         TrackPoint[] track = reading.Points;
-        MatchFitResult fit;
-        try
+        MatchFitResult fit = Arguments.Refusing(fields, () =>
         {
-            fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new ProgressReport(progress)));
-            UnitRivals.Check(scene, request, reading, fit, guesses.Add);
-        }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } error)
-        {
-            throw error;
-        }
+            MatchFitResult found = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new ProgressReport(progress)));
+            UnitRivals.Check(scene, request, reading, found, guesses.Add);
+            return found;
+        });
 
         guesses.ForEach(terminal.Person.WriteLine);
         if (json)

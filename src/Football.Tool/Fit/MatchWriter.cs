@@ -1,5 +1,6 @@
 using System.Text.Json;
 using FootballPhysics.Scenarios;
+using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Fit;
 
@@ -42,15 +43,7 @@ internal static class MatchWriter
 
         if (piece.Kind == MatchPieceKind.Impact)
         {
-            if (piece.Restitution is { } restitution)
-            {
-                json.WriteNumber("restitution", restitution);
-            }
-            else
-            {
-                json.WriteNull("restitution");
-            }
-
+            json.WriteFinite("restitution", piece.Restitution);
             json.WriteNumber("kept", piece.SpeedRetained);
         }
 
@@ -88,15 +81,7 @@ internal static class MatchWriter
         json.WriteNumber("groundHeight", fit.Scene.Ground.Height);
         json.WriteNumber("restitution", fit.Scene.Ground.Material.NormalRestitution);
         json.WriteNumber("restitutionRise", fit.Scene.Ground.Material.GrazingRestitutionGain);
-        if (double.IsFinite(fit.Scene.Ground.Material.ImpactFriction))
-        {
-            json.WriteNumber("friction", fit.Scene.Ground.Material.ImpactFriction);
-        }
-        else
-        {
-            json.WriteNull("friction");
-        }
-
+        json.WriteFinite("friction", fit.Scene.Ground.Material.ImpactFriction);
         json.WriteNumber("slidingFriction", fit.Scene.Ground.Material.SlidingFriction);
         json.WriteNumber("rollingFriction", fit.Scene.Ground.Material.RollingResistance);
         json.WriteNumber("rollingFrictionBySpeed", fit.Scene.Ground.Material.RollingResistancePerSpeed);

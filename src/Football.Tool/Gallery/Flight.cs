@@ -36,8 +36,10 @@ internal sealed class Flight
     public double FirstMeeting => Events.Where(item => item.ColliderIndex != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
 
     /// <summary>Returns the first impact on the ground; null if there is none.</summary>
-    public static BallEvent? FirstTouchdown(Outcome outcome) =>
-        outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.ColliderIndex == 0).Cast<BallEvent?>().FirstOrDefault();
+    public static BallEvent? FirstTouchdown(Outcome outcome) => First(outcome, item => item.Kind == BallEventKind.Impact && item.ColliderIndex == 0);
+
+    /// <summary>Returns the first event of a kind; null if there is none.</summary>
+    public static BallEvent? First(Outcome outcome, Func<BallEvent, bool> isKind) => outcome.Events.Where(isKind).Cast<BallEvent?>().FirstOrDefault();
 
     /// <summary>Returns the legs of a shot with samples.</summary>
     public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)

@@ -27,15 +27,9 @@ internal static class FoundKick
             MaximumSideSpin = 60,
         };
         AimResult found = new Aimer(Scene.Measured).Find(request);
-        var kick = new Scenario
+        Scenario kick = GalleryShots.Shot(request.From, found.Velocity, found.Spin) with
         {
             Scene = Scene.Measured with { Obstacles = [Furniture.Wall(Wall, 0.4, 3.4, 1.9)], Goals = [Furniture.Goal(Goal)] },
-            Position = request.From,
-            Velocity = found.Velocity,
-            Spin = found.Spin,
-            StopAt = StopAt.Rest,
-            Duration = 120,
-            Samples = true,
         };
         return new GalleryShot
         {

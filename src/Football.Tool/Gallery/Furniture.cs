@@ -15,8 +15,6 @@ internal static class Furniture
         Shape = new BoxShape(new Vector3d(-0.5 * (leftFrom + leftTo), 0.5 * height, -along), new Vector3d(0.5 * (leftTo - leftFrom), 0.5 * height, 0.2)),
     };
 
-    public static SceneShape HalfwayLine(double along) => new("halfway line", SceneShapeKind.Marking)
-    {
-        Lines = [[new Vector3d(-30, 0.005, -along), new Vector3d(30, 0.005, -along)]],
-    };
+    /// <summary>The halfway line before a goal kick.</summary>
+    public static SceneShape HalfwayLine { get; } = new("halfway line", SceneShapeKind.Marking) { Lines = [[new Vector3d(-30, 0.005, -47), new Vector3d(30, 0.005, -47)]] };
 }

@@ -59,7 +59,7 @@ internal static class GalleryShots
         Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
         Comparison = Kick(30, left: 0, up: 36, top: -25, side: 0) with { Scene = Scene.Published },
         ComparisonName = "by the published laws",
-        Markings = [Furniture.HalfwayLine(47)],
+        Markings = [Furniture.HalfwayLine],
     };
 
     private static GalleryShot GoalKickInVacuum()
@@ -76,7 +76,7 @@ internal static class GalleryShots
             Comparison = kick,
             ComparisonName = "in air",
             DrawnTo = 160,
-            Markings = [Furniture.HalfwayLine(47)],
+            Markings = [Furniture.HalfwayLine],
         };
     }
 
@@ -185,7 +185,8 @@ internal static class GalleryShots
         return Shot(new Vector3d(0, Radius, 0), velocity, KickVectors.Spin(velocity, top, side));
     }
 
-    private static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
+    /// <summary>Returns a shot until the ball rests.</summary>
+    public static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
     {
         Scene = Scene.Measured,
         Position = position,

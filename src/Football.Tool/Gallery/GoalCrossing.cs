@@ -9,7 +9,7 @@ internal static class GoalCrossing
     /// <summary>Describes the crossing in a sentence.</summary>
     public static string Describe(Flight flight, Goal goal)
     {
-        BallEvent? scored = flight.Events.Where(item => item.Kind == BallEventKind.Goal).Cast<BallEvent?>().FirstOrDefault();
+        BallEvent? scored = Flight.First(flight.Outcome, item => item.Kind == BallEventKind.Goal);
         Vector3d? crossing = scored?.Position ?? Crossing(flight, goal);
         if (crossing is null)
         {

@@ -128,14 +128,5 @@ internal static class QueryShots
         return new SceneShape("one and two standard deviations", SceneShapeKind.Guide) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
     }
 
-    private static Scenario Kick(Scene scene, Vector3d velocity, Vector3d spin) => new()
-    {
-        Scene = scene,
-        Position = s_from,
-        Velocity = velocity,
-        Spin = spin,
-        StopAt = StopAt.Rest,
-        Duration = 120,
-        Samples = true,
-    };
+    private static Scenario Kick(Scene scene, Vector3d velocity, Vector3d spin) => GalleryShots.Shot(s_from, velocity, spin) with { Scene = scene };
 }

@@ -39,11 +39,9 @@ internal sealed record ShotFigures(
             touchdown?.Time,
             way is null ? null : speed > 0 ? Vector3d.Dot(way.Value, Vector3d.Cross(Vector3d.Up, direction)) / speed : 0,
             outcome.Bounces,
-            First(outcome, BallEventKind.Rest)?.Time,
+            Flight.First(outcome, item => item.Kind == BallEventKind.Rest)?.Time,
             (outcome.Final.Position - launch.Position).Horizontal.Length);
     }
-
-    private static BallEvent? First(Outcome outcome, BallEventKind kind) => outcome.Events.Where(item => item.Kind == kind).Cast<BallEvent?>().FirstOrDefault();
 
     private static string Text(double? value, string format) => value is null ? "–" : value.Value.ToString(format, CultureInfo.InvariantCulture);
 }

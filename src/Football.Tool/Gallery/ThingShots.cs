@@ -134,14 +134,6 @@ internal static class ThingShots
         };
     }
 
-    private static Scenario Shot(Vector3d position, Vector3d velocity, double top, double side) => new()
-    {
-        Scene = Scene.Measured,
-        Position = position,
-        Velocity = velocity,
-        Spin = KickVectors.Spin(velocity, top, side),
-        StopAt = StopAt.Rest,
-        Duration = 60,
-        Samples = true,
-    };
+    private static Scenario Shot(Vector3d position, Vector3d velocity, double top, double side) =>
+        GalleryShots.Shot(position, velocity, KickVectors.Spin(velocity, top, side)) with { Duration = 60 };
 }

@@ -1,5 +1,5 @@
-using System.Text.Json;
 using FootballPhysics.Scenarios;
+using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Intercept;
 
@@ -32,7 +32,7 @@ internal static class InterceptWriter
 
         json.WriteEndArray();
         json.WriteString("first", outcome.First < 0 ? null : outcome.Scenario.Names[outcome.First]);
-        WriteLead(json, outcome.Lead);
+        json.WriteFinite("lead", outcome.Lead); // There may be no second player.
         json.WriteStartArray("shares");
         foreach (PossessionInterval share in outcome.Shares)
         {
@@ -40,23 +40,10 @@ internal static class InterceptWriter
             json.WriteString("name", outcome.Scenario.Names[share.Player]);
             json.WriteNumber("from", share.From);
             json.WriteNumber("to", share.To);
-            WriteLead(json, share.TimeMargin);
+            json.WriteFinite("lead", share.TimeMargin);
             json.WriteEndObject();
         }
 
         json.WriteEndArray();
     });
-
-    /// <summary>Writes a lead, in s; null if there is no second player.</summary>
-    private static void WriteLead(Utf8JsonWriter json, double lead)
-    {
-        if (double.IsFinite(lead))
-        {
-            json.WriteNumber("lead", lead);
-        }
-        else
-        {
-            json.WriteNull("lead");
-        }
-    }
 }

@@ -81,12 +81,7 @@ internal static class MovingDrawing
             double until = picture.Shots.SelectMany(shot => shot.Track.Events.Where(item => item.Kind == BallEventKind.Impact && shot.Track.SurfaceOf(item) == shape.Name)).Select(item => item.Time).DefaultIfEmpty(end).Min();
             double[] times = [.. Enumerable.Range(0, 11).Select(i => 0.1 * i * until)];
             IEnumerable<string> values = times.Append(until).Select(time => eye.On(shape.Points.First() + (time * shape.Velocity)) ?? first).Select(at => $"{Svg.Number(at.X - first.X)} {Svg.Number(at.Y - first.Y)}");
-            return Svg.Element(
-                "animateTransform",
-                [
-                    ("attributeName", "transform"), ("type", "translate"), ("dur", FormattableString.Invariant($"{total:0.##}s")), ("repeatCount", "indefinite"),
-                    ("keyTimes", string.Join(';', times.Select(time => FormattableString.Invariant($"{time / total:0.####}")).Append("1"))), ("values", string.Join(';', values)),
-                ]);
+            return SvgAnimation.Transform("translate", total, SvgAnimation.Times(times.Select(time => time / total).Append(1)), string.Join(';', values));
         }
 
         IEnumerable<XElement> Net(int net, SceneShape shape) =>
@@ -115,14 +110,7 @@ internal static class MovingDrawing
             yield return Svg.Element(
                 "g",
                 [("visibility", first ? "visible" : "hidden")],
-                times.Length < 2
-                    ? null
-                    : Svg.Element(
-                        "animate",
-                        [
-                            ("attributeName", "visibility"), ("dur", FormattableString.Invariant($"{total:0.##}s")), ("repeatCount", "indefinite"), ("calcMode", "discrete"),
-                            ("keyTimes", string.Join(';', times.Select(time => FormattableString.Invariant($"{time / total:0.####}")))), ("values", string.Join(';', values)),
-                        ]),
+                times.Length < 2 ? null : SvgAnimation.Steps("visibility", total, times, values),
                 eye.On(middle) is { } at ? Svg.Element("ellipse", [("cx", at.X), ("cy", at.Y), ("rx", 0.5 * at.Metre), ("ry", 0.12 * at.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)]) : null,
                 SceneSketch.Person(eye, "keeper", skeleton, 0));
         }

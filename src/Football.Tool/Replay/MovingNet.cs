@@ -10,9 +10,6 @@ internal static class MovingNet
     /// <summary>The width of a bulge, in m; the pages use the same.</summary>
     private const double Width = 0.75;
 
-    /// <summary>The size of a mesh, in m.</summary>
-    private const double Mesh = 0.3;
-
     /// <summary>The minimum time between two shapes of a moving net, in s.</summary>
     private const double Frame = 0.04;
 
@@ -43,20 +40,14 @@ internal static class MovingNet
         }
 
         XElement path = Path(Drawn(eye, moving, null));
-        path.Add(Svg.Element(
-            "animate",
-            [
-                ("attributeName", "d"), ("dur", FormattableString.Invariant($"{total:0.##}s")), ("repeatCount", "indefinite"), ("calcMode", "discrete"),
-                ("keyTimes", string.Join(';', frames.Select(frame => FormattableString.Invariant($"{frame.Time / total:0.####}")))),
-                ("values", string.Join(';', frames.Select(frame => Drawn(eye, moving, frame.Bulge)))),
-            ]));
+        path.Add(SvgAnimation.Steps("d", total, frames.Select(frame => frame.Time), frames.Select(frame => Drawn(eye, moving, frame.Bulge))));
         yield return path;
     }
 
     private static IEnumerable<Vector3d[]> Lines(IReadOnlyList<Vector3d> corners)
     {
-        int columns = (int)Math.Clamp(Math.Ceiling((corners[1] - corners[0]).Length / Mesh), 1, 40);
-        int rows = (int)Math.Clamp(Math.Ceiling((corners[3] - corners[0]).Length / Mesh), 1, 40);
+        int columns = SceneShapes.Meshes((corners[1] - corners[0]).Length);
+        int rows = SceneShapes.Meshes((corners[3] - corners[0]).Length);
         Vector3d Node(int i, int j) => Vector3d.Lerp(
             Vector3d.Lerp(corners[0], corners[1], (double)i / columns), Vector3d.Lerp(corners[3], corners[2], (double)i / columns), (double)j / rows);
         return

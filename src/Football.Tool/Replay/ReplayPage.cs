@@ -77,8 +77,8 @@ internal static partial class ReplayPage
 
         SceneShapeJson.Write(json, picture.Shapes, picture.Goals);
         WriteAll(json, "shots", picture.Shots, Write);
-        SceneShapeJson.WriteNumbers(json, "keeper", picture.Keeper.SelectMany(pose => (double[])[pose.Time, .. pose.Skeleton.Take(3).SelectMany(Parts)]));
-        SceneShapeJson.WriteNumbers(json, "targets", picture.Targets.SelectMany(Parts));
+        SceneShapeJson.WriteNumbers(json, "keeper", picture.Keeper.SelectMany(pose => (double[])[pose.Time, .. pose.Skeleton.Take(3).SelectMany(SceneShapeJson.Parts)]));
+        SceneShapeJson.WriteNumbers(json, "targets", picture.Targets.SelectMany(SceneShapeJson.Parts));
         json.WriteEndObject();
     }
 
@@ -90,17 +90,17 @@ internal static partial class ReplayPage
         json.WriteBoolean("compares", shot.Compares);
         json.WriteNumber("radius", shot.Track.Radius);
         SceneShapeJson.WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
-        SceneShapeJson.WriteNumbers(json, "nets", shot.Nets.SelectMany(move => (double[])[move.Time, move.Net, move.Bulge.Depth, .. Parts(move.Bulge.Position), .. Parts(move.Bulge.Direction)]));
+        SceneShapeJson.WriteNumbers(json, "nets", shot.Nets.SelectMany(move => (double[])[move.Time, move.Net, move.Bulge.Depth, .. SceneShapeJson.Parts(move.Bulge.Position), .. SceneShapeJson.Parts(move.Bulge.Direction)]));
         WriteAll(json, "events", shot.Track.Events, (to, item) =>
         {
             to.WriteStartObject();
             to.WriteString("kind", Words.Of(item.Kind));
             to.WriteString("surface", shot.Track.SurfaceOf(item));
-            to.WriteNumber("time", Rounded(item.Time));
-            SceneShapeJson.WriteNumbers(to, "position", Parts(item.Position));
-            to.WriteNumber("before", Rounded(item.VelocityBefore.Length));
-            to.WriteNumber("after", Rounded(item.Velocity.Length));
-            to.WriteNumber("spin", Rounded(item.Spin.Length));
+            to.WriteNumber("time", SceneShapeJson.Rounded(item.Time));
+            SceneShapeJson.WriteNumbers(to, "position", SceneShapeJson.Parts(item.Position));
+            to.WriteNumber("before", SceneShapeJson.Rounded(item.VelocityBefore.Length));
+            to.WriteNumber("after", SceneShapeJson.Rounded(item.Velocity.Length));
+            to.WriteNumber("spin", SceneShapeJson.Rounded(item.Spin.Length));
             to.WriteEndObject();
         });
         json.WriteEndObject();
@@ -117,14 +117,9 @@ internal static partial class ReplayPage
         json.WriteEndArray();
     }
 
-    private static IEnumerable<double> Parts(Vector3d v) => [v.X, v.Y, v.Z];
-
     private static IEnumerable<double> Parts(TrackKey key) =>
     [
-        key.Time, .. Parts(key.Position), .. Parts(key.VelocityBefore), .. Parts(key.Velocity), .. Parts(key.Spin),
+        key.Time, .. SceneShapeJson.Parts(key.Position), .. SceneShapeJson.Parts(key.VelocityBefore), .. SceneShapeJson.Parts(key.Velocity), .. SceneShapeJson.Parts(key.Spin),
         key.Orientation.X, key.Orientation.Y, key.Orientation.Z, key.Orientation.W, (int)key.Motion,
     ];
-
-    /// <summary>Rounds to a hundredth of a millimetre, and removes the sign of zero.</summary>
-    private static double Rounded(double value) => Math.Round(value, 5) + 0.0;
 }

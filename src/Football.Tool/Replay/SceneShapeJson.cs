@@ -57,13 +57,17 @@ internal static class SceneShapeJson
         json.WriteStartArray();
         foreach (double number in numbers)
         {
-            json.WriteNumberValue(Math.Round(number, 5) + 0.0);
+            json.WriteNumberValue(Rounded(number));
         }
 
         json.WriteEndArray();
     }
 
-    private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
+    /// <summary>Returns the coordinates of a vector.</summary>
+    public static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
+
+    /// <summary>Rounds to a hundredth of a millimetre, and removes the sign of zero.</summary>
+    public static double Rounded(double value) => Math.Round(value, 5) + 0.0;
 
     private static string KindOf(SceneShapeKind kind) => kind switch
     {

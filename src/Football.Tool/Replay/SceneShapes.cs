@@ -105,7 +105,8 @@ internal static class SceneShapes
         };
     }
 
-    private static int Meshes(double length) => (int)Math.Clamp(Math.Ceiling(length / Mesh), 1, MostMeshes);
+    /// <summary>Returns the number of meshes of a net along a length in m.</summary>
+    public static int Meshes(double length) => (int)Math.Clamp(Math.Ceiling(length / Mesh), 1, MostMeshes);
 
     /// <summary>True if the goal has the regular width. Only such a goal has markings.</summary>
     private static bool HasMarkings(Goal goal) => Math.Abs(goal.Width - PitchSize.GoalWidth) < 0.1;

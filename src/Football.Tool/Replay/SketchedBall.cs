@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
@@ -47,7 +46,7 @@ internal sealed class SketchedBall
         (double X, double Y, double Metre) last = seen.FirstOrDefault(at => at is not null) ?? default;
         _isSeen = [.. seen.Select(at => at is not null)];
         _seen = [.. seen.Select(at => last = at ?? last)];
-        _times = Times(_seen.Select((_, i) => i * Frame / total).Append(1));
+        _times = SvgAnimation.Times(_seen.Select((_, i) => i * Frame / total).Append(1));
     }
 
     /// <summary>Returns the positions of the ball, frame by frame.</summary>
@@ -75,12 +74,7 @@ internal sealed class SketchedBall
                 Svg.Element(
                     "path",
                     [("d", Drawn(_turns[0])), ("fill", "#20262c")],
-                    Svg.Element(
-                        "animate",
-                        [
-                            ("attributeName", "d"), ("dur", Seconds), ("repeatCount", "indefinite"), ("calcMode", "discrete"), ("keyTimes", Times(turned.Select(i => i * Turned * Frame / _total))),
-                            ("values", string.Join(';', turned.Select(i => Drawn(_turns[i * Turned])))),
-                        ]))));
+                    SvgAnimation.Steps("d", _total, turned.Select(i => i * Turned * Frame), turned.Select(i => Drawn(_turns[i * Turned]))))));
     }
 
     /// <summary>Draws the shadow below the ball: the higher the ball, the wider and fainter the shadow. Returns null if the ball is never visible.</summary>
@@ -101,7 +95,7 @@ internal sealed class SketchedBall
                 "ellipse",
                 [("rx", 1.0), ("ry", 0.3), ("fill", "#06120a"), ("fill-opacity", 0.5)],
                 Transform("scale", Values(below.Select((at, i) => Radius(at) * (1.2 + (0.2 * heights[i]))))),
-                Animation("fill-opacity", Values(heights.Select((height, i) => _isSeen[i] ? 0.55 / (1 + (0.3 * height)) : 0)))));
+                SvgAnimation.Change("fill-opacity", _total, _times, Values(heights.Select((height, i) => _isSeen[i] ? 0.55 / (1 + (0.3 * height)) : 0)))));
     }
 
     /// <summary>Draws the path and the ball where they are between two depths.</summary>
@@ -140,12 +134,7 @@ internal sealed class SketchedBall
             [("href", "#" + _id), ("visibility", here[0] ? "visible" : "hidden")],
             changes.Length == 1
                 ? null
-                : Svg.Element(
-                    "animate",
-                    [
-                        ("attributeName", "visibility"), ("dur", Seconds), ("repeatCount", "indefinite"), ("calcMode", "discrete"), ("keyTimes", Times(changes.Select(i => i * Frame / _total))),
-                        ("values", string.Join(';', changes.Select(i => here[i] ? "visible" : "hidden"))),
-                    ]));
+                : SvgAnimation.Steps("visibility", _total, changes.Select(i => i * Frame), changes.Select(i => here[i] ? "visible" : "hidden")));
     }
 
     private static IEnumerable<(Vector3d Place, Quaterniond Turn)> Frames(Track track, double end)
@@ -167,8 +156,7 @@ internal sealed class SketchedBall
     /// <summary>Returns the twelve pentagons around the corners of an icosahedron.</summary>
     private static (Vector3d Middle, Vector3d[] Corners)[] Panels()
     {
-        double golden = (1 + Math.Sqrt(5)) / 2;
-        Vector3d[] corners = [.. new[] { -1.0, 1.0 }.SelectMany(a => new[] { -golden, golden }.SelectMany(b => new[] { new Vector3d(0, a, b), new Vector3d(a, b, 0), new Vector3d(b, 0, a) }))];
+        Vector3d[] corners = Gltf.Mesh.Icosahedron;
         return [.. corners.Select(corner =>
         {
             Vector3d[] near = [.. corners.Where(other => Math.Abs((other - corner).Length - 2) < 1e-6)];
@@ -204,17 +192,9 @@ internal sealed class SketchedBall
         return path.ToString();
     }
 
-    private string Seconds => FormattableString.Invariant($"{_total:0.##}s");
-
     private double Radius((double X, double Y, double Metre) at) => Math.Max(Least, _shot.Track.Radius * at.Metre);
 
-    private XElement Transform(string type, string values) => Svg.Element(
-        "animateTransform",
-        [("attributeName", "transform"), ("type", type), ("dur", Seconds), ("repeatCount", "indefinite"), ("keyTimes", _times), ("values", values)]);
-
-    private XElement Animation(string attribute, string values) => Svg.Element(
-        "animate",
-        [("attributeName", attribute), ("dur", Seconds), ("repeatCount", "indefinite"), ("keyTimes", _times), ("values", values)]);
+    private XElement Transform(string type, string values) => SvgAnimation.Transform(type, _total, _times, values);
 
     private static string Values(IEnumerable<double> values) => Values(values.Select(Svg.Number));
 
@@ -224,6 +204,4 @@ internal sealed class SketchedBall
         string[] all = [.. values];
         return string.Join(';', all.Append(all[^1]));
     }
-
-    private static string Times(IEnumerable<double> shares) => string.Join(';', shares.Select(share => share.ToString("0.####", CultureInfo.InvariantCulture)));
 }

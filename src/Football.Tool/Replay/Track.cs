@@ -3,7 +3,9 @@ using FootballPhysics.Scenarios;
 namespace FootballPhysics.Tool.Replay;
 
 /// <summary>The path of a ball in as few keys as possible: cubics between the keys stay within a millimetre of every step.</summary>
-internal sealed class Track
+/// <param name="scenario">The shot.</param>
+/// <param name="outcome">Its result, with samples.</param>
+internal sealed class Track(Scenario scenario, Outcome outcome)
 {
     /// <summary>The maximum distance of a cubic from the path, in m.</summary>
     private const double Tolerance = 1e-3;
@@ -17,23 +19,14 @@ internal sealed class Track
     /// <summary>The maximum number of keys between two steps. A faster spin is shown too slow.</summary>
     private const int MostBetween = 32;
 
-    /// <summary>Creates the path of a shot with samples.</summary>
-    public Track(Scenario scenario, Outcome outcome)
-    {
-        Radius = scenario.Scene.Ball.Radius;
-        Events = outcome.Events;
-        SurfaceOf = item => outcome.SurfaceOf(in item);
-        Keys = Thinned(Dense(outcome));
-    }
+    public double Radius { get; } = scenario.Scene.Ball.Radius;
 
-    public double Radius { get; }
+    public IReadOnlyList<TrackKey> Keys { get; } = Thinned(Dense(outcome));
 
-    public IReadOnlyList<TrackKey> Keys { get; }
-
-    public IReadOnlyList<BallEvent> Events { get; }
+    public IReadOnlyList<BallEvent> Events { get; } = outcome.Events;
 
     /// <summary>Returns the name of the object that the ball hits in an event; null if there is none.</summary>
-    public Func<BallEvent, string?> SurfaceOf { get; }
+    public string? SurfaceOf(BallEvent item) => outcome.SurfaceOf(in item);
 
     /// <summary>Returns the position at a time between two keys, in m.</summary>
     public static Vector3d Between(in TrackKey from, in TrackKey to, double time)

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Ranges;
 
 namespace FootballPhysics.Tool.Sweep;
@@ -29,7 +30,7 @@ internal static class SweepInput
 
         TakeRanges(document, drawn, aims ? DirectField.OfAim : DirectField.OfLaunch);
         var fields = new InputFields(input.Document.ValueKind == JsonValueKind.Object ? JsonSerializer.SerializeToElement(document) : input.Document);
-        (SweepScene scene, RowRequest row) = Refusing(fields, () =>
+        (SweepScene scene, RowRequest row) = Arguments.Refusing(fields, () =>
         {
             SweepScene taken = SweepScene.Take(fields.Root);
             RowRequest request = RowRequest.Take(fields.Root);
@@ -42,22 +43,9 @@ internal static class SweepInput
         document.Remove("ranges");
         document.Remove("row");
         var plan = new SweepPlan(text, seed, document, scene, row, [.. drawn.Where(field => !scene.HasVectors || field.Direct is < DirectField.Kick or >= DirectField.KickNumbers || aims)]);
-        Refusing(fields, () => Try(plan, scene));
+        Arguments.Refusing(fields, () => Try(plan, scene));
         TryEnds(plan);
         return plan;
-    }
-
-    /// <summary>Runs a function; translates an error of the library to the names and values of the input.</summary>
-    public static T Refusing<T>(InputFields fields, Func<T> work)
-    {
-        try
-        {
-            return work();
-        }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } translated)
-        {
-            throw translated;
-        }
     }
 
     /// <summary>Converts a value to a node of an input.</summary>

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Ranges;
 
 namespace FootballPhysics.Tool.Sweep;
@@ -97,7 +98,7 @@ internal sealed class SweepPlan
         }
 
         var fields = new InputFields(JsonSerializer.SerializeToElement(document));
-        return SweepInput.Refusing(fields, () =>
+        return Arguments.Refusing(fields, () =>
         {
             SweepScene scene = SweepScene.Take(fields.Root);
             fields.Check();

@@ -84,7 +84,6 @@ public sealed class GameRefusalTests
         var path = new Trajectory();
         simulator.LookAhead(in state, new LookAheadRequest { Duration = 1 }, path);
         Refused("plane.normal is", () => path.TryGetCrossing(default, out _));
-        Refused("plane.normal is", () => path.TryGetCrossing(default, 0, CrossingDirection.Any, out _));
         double end = path.Final.Time;
         Refused("lookAhead.untilPlane.normal is", () => simulator.LookAhead(in state, new LookAheadRequest { Duration = 2, UntilPlane = default(Plane3d) }, path));
         Assert.Equal(end, path.Final.Time);

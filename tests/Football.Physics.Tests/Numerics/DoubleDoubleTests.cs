@@ -39,15 +39,6 @@ public sealed class DoubleDoubleTests
         }
     }
 
-    [Fact]
-    public void Decimal_fractions_are_exact()
-    {
-        Assert.Equal(0, ((DoubleDouble.Of(0.2m) * 5) - 1).High, 1e-31);
-        Assert.Equal(0, ((DoubleDouble.Of(-1.8m) * 5) + 9).High, 1e-30);
-        Assert.Equal(1.8, DoubleDouble.Of(1.8m).High);
-        Assert.Equal(0, ((DoubleDouble.Of(12345.6789m) * 10000) - 123456789).High, 1e-22);
-    }
-
     /// <summary>Thirty digits from a table.</summary>
     [Fact]
     public void Exponential_and_cosine_have_thirty_digits()

@@ -7,7 +7,7 @@ namespace FootballPhysics.Aiming;
 /// <remarks>
 /// Kicks fly in coarse steps, and the grid is refined while it finds no hit. Newton's method continues from the closest kicks that hit all objects.
 /// </remarks>
-internal sealed class BankShotGrid
+internal sealed class BankShotGrid(BankShotFlight flight, World world, double radius)
 {
     /// <summary>The number of grids, of directions and elevations in the first grid, and of kicks kept as starts; each grid halves the
     /// spacing.</summary>
@@ -16,18 +16,11 @@ internal sealed class BankShotGrid
     private const int Elevations = 8;
     private const int Starts = 8;
 
-    private readonly BankShotFlight _flight;
-    private readonly World _world;
-    private readonly double _radius;
+    private readonly BankShotFlight _flight = flight;
+    private readonly World _world = world;
+    private readonly double _radius = radius;
     private readonly (double Elevation, double Azimuth, double Miss)[] _starts = new (double Elevation, double Azimuth, double Miss)[Starts];
     private int _count;
-
-    public BankShotGrid(BankShotFlight flight, World world, double radius)
-    {
-        _flight = flight;
-        _world = world;
-        _radius = radius;
-    }
 
     /// <summary>Searches for a kick closer than the best so far.</summary>
     public void Find(AimRequest request, in TargetFrame frame, int[] things)

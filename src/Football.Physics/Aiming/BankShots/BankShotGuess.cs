@@ -9,7 +9,7 @@ namespace FootballPhysics.Aiming;
 /// Each hop on the ground is a fixed share of the previous one. Other contacts minimise the path length between the points before and after, as in
 /// a mirror (Fermat's principle).
 /// </remarks>
-internal sealed class BankShotGuess
+internal sealed class BankShotGuess(Scene scene)
 {
     /// <summary>Typical ratios of a hop to the previous one, and of the speed after an impact to the speed before it.</summary>
     private const double NextHop = 0.6;
@@ -33,15 +33,9 @@ internal sealed class BankShotGuess
         (0.5, false, 0), (0.5, true, 0), (0.12, false, 0), (0.12, false, Steeper), (0.85, false, 0), (0.12, true, 0), (0.85, true, 0),
     ];
 
-    private readonly BallProperties _ball;
-    private readonly double _upward;
+    private readonly BallProperties _ball = scene.Ball;
+    private readonly double _upward = Weight.UpwardAcceleration(scene);
     private double _time;
-
-    public BankShotGuess(Scene scene)
-    {
-        _ball = scene.Ball;
-        _upward = Weight.UpwardAcceleration(scene);
-    }
 
     /// <summary>The number of guesses.</summary>
     public static int Count => Ways.Length;

@@ -5,7 +5,7 @@ namespace FootballPhysics.Aiming;
 /// It starts from the closed form, and rehearses the first corrections in fitted air. The first Jacobian is computed from the flight itself, and
 /// Broyden's updates improve it. An iteration therefore costs one flight, and needs no difference quotients.
 /// </remarks>
-internal sealed class PlaneNewton
+internal sealed class PlaneNewton(PlaneProblem problem)
 {
     private const int N = PlaneProblem.Most;
 
@@ -19,14 +19,12 @@ internal sealed class PlaneNewton
     private const double RehearsedEnough = 1e-4;
     private const double Plenty = 0.1;
 
-    private readonly PlaneProblem _problem;
+    private readonly PlaneProblem _problem = problem;
     private readonly PlaneStep _step = new();
     private readonly double[] _guess = new double[N];
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
     private NewtonPatience _patience;
-
-    public PlaneNewton(PlaneProblem problem) => _problem = problem;
 
     /// <summary>The unknowns of the kick.</summary>
     public double[] X { get; } = new double[N];

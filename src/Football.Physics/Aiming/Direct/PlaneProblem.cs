@@ -6,7 +6,7 @@ namespace FootballPhysics.Aiming;
 /// <remarks>
 /// The kick must cross the target's vertical plane at the target itself, and the waypoint's plane at the waypoint.
 /// </remarks>
-internal sealed class PlaneProblem
+internal sealed class PlaneProblem(AimContext context)
 {
     /// <summary>The maximum number of unknowns and of equations.</summary>
     public const int Most = 4;
@@ -24,7 +24,7 @@ internal sealed class PlaneProblem
     /// <summary>The miss that a search aims for at the waypoint, in m; well below any useful tolerance.</summary>
     public const double FineThrough = 1e-2;
 
-    private readonly AimContext _context;
+    private readonly AimContext _context = context;
     private TargetFrame _frame;
     private Vector3d _targetVelocity;
     private double _step;
@@ -36,8 +36,6 @@ internal sealed class PlaneProblem
     private double _guessedTime;
     private double _guessedThroughTime;
     private double _throughTime;
-
-    public PlaneProblem(AimContext context) => _context = context;
 
     public AimRequest Request { get; private set; } = new();
 

@@ -143,7 +143,10 @@ internal sealed class PlaneShooter : KickObserver
 }
 
 /// <summary>The crossing of a flight and a vertical plane through a point that may move.</summary>
-internal struct PlaneCrossing
+/// <param name="point">The point at time 0, in m.</param>
+/// <param name="pointVelocity">The velocity of the point, in m/s.</param>
+/// <param name="normal">The normal of the plane, pointing forward.</param>
+internal struct PlaneCrossing(in Vector3d point, in Vector3d pointVelocity, in Vector3d normal)
 {
     /// <summary>A crossing may lie beyond the end of a step by up to this share of the step.</summary>
     private const double Reach = 0.05;
@@ -151,20 +154,9 @@ internal struct PlaneCrossing
     /// <summary>The relative change at which Newton's method ends; smaller changes are rounding errors.</summary>
     private const double Closeness = 1e-9;
 
-    private readonly Vector3d _point;
-    private readonly Vector3d _pointVelocity;
-    private readonly Vector3d _normal;
-
-    /// <param name="point">The point at time 0, in m.</param>
-    /// <param name="pointVelocity">The velocity of the point, in m/s.</param>
-    /// <param name="normal">The normal of the plane, pointing forward.</param>
-    public PlaneCrossing(in Vector3d point, in Vector3d pointVelocity, in Vector3d normal)
-        : this()
-    {
-        _point = point;
-        _pointVelocity = pointVelocity;
-        _normal = normal;
-    }
+    private readonly Vector3d _point = point;
+    private readonly Vector3d _pointVelocity = pointVelocity;
+    private readonly Vector3d _normal = normal;
 
     /// <summary>True if the plane was crossed.</summary>
     public bool Crossed { get; private set; }

@@ -196,32 +196,19 @@ internal sealed class PlaneStep
 }
 
 /// <summary>The derivative of the crossing of a plane (up, left) with respect to elevation and azimuth, in m/rad.</summary>
-internal struct CrossingJacobian
+internal struct CrossingJacobian(double upByElevation, double upByAzimuth, double leftByElevation, double leftByAzimuth)
 {
-    private double _upByElevation;
-    private double _upByAzimuth;
-    private double _leftByElevation;
-    private double _leftByAzimuth;
-
-    public CrossingJacobian(double upByElevation, double upByAzimuth, double leftByElevation, double leftByAzimuth)
-    {
-        _upByElevation = upByElevation;
-        _upByAzimuth = upByAzimuth;
-        _leftByElevation = leftByElevation;
-        _leftByAzimuth = leftByAzimuth;
-    }
-
     /// <summary>The derivative of the crossing's height with respect to elevation, in m/rad.</summary>
-    public readonly double UpByElevation => _upByElevation;
+    public double UpByElevation { readonly get; private set; } = upByElevation;
 
     /// <summary>The derivative of the crossing's height with respect to azimuth, in m/rad.</summary>
-    public readonly double UpByAzimuth => _upByAzimuth;
+    public double UpByAzimuth { readonly get; private set; } = upByAzimuth;
 
     /// <summary>The derivative of the crossing's distance to the left with respect to elevation, in m/rad.</summary>
-    public readonly double LeftByElevation => _leftByElevation;
+    public double LeftByElevation { readonly get; private set; } = leftByElevation;
 
     /// <summary>The derivative of the crossing's distance to the left with respect to azimuth, in m/rad.</summary>
-    public readonly double LeftByAzimuth => _leftByAzimuth;
+    public double LeftByAzimuth { readonly get; private set; } = leftByAzimuth;
 
     /// <summary>Computes the Jacobian from a single flight.</summary>
     /// <remarks>
@@ -271,9 +258,9 @@ internal struct CrossingJacobian
     public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
     {
         // Solve J Δ = −r by Cramer's rule.
-        double determinant = (_upByElevation * _leftByAzimuth) - (_upByAzimuth * _leftByElevation);
-        elevation = ((_upByAzimuth * left) - (_leftByAzimuth * up)) / determinant;
-        azimuth = ((_leftByElevation * up) - (_upByElevation * left)) / determinant;
+        double determinant = (UpByElevation * LeftByAzimuth) - (UpByAzimuth * LeftByElevation);
+        elevation = ((UpByAzimuth * left) - (LeftByAzimuth * up)) / determinant;
+        azimuth = ((LeftByElevation * up) - (UpByElevation * left)) / determinant;
         return double.IsFinite(elevation) && double.IsFinite(azimuth);
     }
 
@@ -286,11 +273,11 @@ internal struct CrossingJacobian
             return;
         }
 
-        double moreUp = (up - (_upByElevation * elevation) - (_upByAzimuth * azimuth)) / squared;
-        double moreLeft = (left - (_leftByElevation * elevation) - (_leftByAzimuth * azimuth)) / squared;
-        _upByElevation += moreUp * elevation;
-        _upByAzimuth += moreUp * azimuth;
-        _leftByElevation += moreLeft * elevation;
-        _leftByAzimuth += moreLeft * azimuth;
+        double moreUp = (up - (UpByElevation * elevation) - (UpByAzimuth * azimuth)) / squared;
+        double moreLeft = (left - (LeftByElevation * elevation) - (LeftByAzimuth * azimuth)) / squared;
+        UpByElevation += moreUp * elevation;
+        UpByAzimuth += moreUp * azimuth;
+        LeftByElevation += moreLeft * elevation;
+        LeftByAzimuth += moreLeft * azimuth;
     }
 }

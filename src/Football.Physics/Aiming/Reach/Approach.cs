@@ -25,18 +25,11 @@ internal struct Approach
 }
 
 /// <summary>Three kicks of increasing elevation, and the parabola through their misses.</summary>
-internal struct ApproachBracket
+internal struct ApproachBracket(in Approach low, in Approach middle, in Approach high)
 {
-    public Approach Low;
-    public Approach Middle;
-    public Approach High;
-
-    public ApproachBracket(in Approach low, in Approach middle, in Approach high)
-    {
-        Low = low;
-        Middle = middle;
-        High = high;
-    }
+    public Approach Low = low;
+    public Approach Middle = middle;
+    public Approach High = high;
 
     /// <summary>The angle from the low kick to the middle one, in rad.</summary>
     public readonly double Left => Middle.Elevation - Low.Elevation;

@@ -3,7 +3,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The closest approach to a target as a function of the elevation, with the best azimuth for each.</summary>
-internal sealed class ApproachByElevation
+internal sealed class ApproachByElevation(AimContext context)
 {
     /// <summary>The maximum number of flights for the azimuth of one elevation.</summary>
     private const int MostTurns = 12;
@@ -17,12 +17,10 @@ internal sealed class ApproachByElevation
     /// <summary>The miss, as a multiple of the tolerance, below which a flight is repeated in shorter steps.</summary>
     private const double NearHit = 10;
 
-    private readonly AimContext _context;
+    private readonly AimContext _context = context;
     private TargetFrame _frame;
     private Vector3d _targetVelocity;
     private Kick _kick;
-
-    public ApproachByElevation(AimContext context) => _context = context;
 
     /// <summary>The elevations to search.</summary>
     public ElevationBounds Bounds { get; set; }
@@ -203,7 +201,7 @@ internal sealed class ApproachByElevation
 }
 
 /// <summary>Finds the hit between a kick above the target and one below: the root of the signed miss over the elevation.</summary>
-internal sealed class HitSearch
+internal sealed class HitSearch(ApproachByElevation approaches)
 {
     /// <summary>The minimum number of flights that a search may use.</summary>
     private const int LeastShots = 8;
@@ -211,10 +209,8 @@ internal sealed class HitSearch
     /// <summary>The slope of the signed miss, in path lengths per rad, above which it jumps because another point of the path is now closest.</summary>
     private const double Jump = 100;
 
-    private readonly ApproachByElevation _approaches;
+    private readonly ApproachByElevation _approaches = approaches;
     private int _mostShots;
-
-    public HitSearch(ApproachByElevation approaches) => _approaches = approaches;
 
     /// <summary>Prepares for a request.</summary>
     public void Begin(AimRequest request) => _mostShots = Math.Max(LeastShots, request.MaximumIterations);
@@ -268,21 +264,13 @@ internal sealed class HitSearch
     }
 
     /// <summary>The signed miss as a function of the elevation; the search ends at a hit.</summary>
-    private struct MissOverElevation : IFunction
+    private struct MissOverElevation(ApproachByElevation approaches, in Approach one, in Approach other) : IFunction
     {
-        private readonly ApproachByElevation _approaches;
-        private Approach _one;
-        private Approach _other;
+        private readonly ApproachByElevation _approaches = approaches;
+        private Approach _one = one;
+        private Approach _other = other;
 
-        public MissOverElevation(ApproachByElevation approaches, in Approach one, in Approach other)
-        {
-            _approaches = approaches;
-            _one = one;
-            _other = other;
-            Hits = false;
-        }
-
-        public bool Hits { get; private set; }
+        public bool Hits { get; private set; } = false;
 
         public bool Evaluate(double x, out double value)
         {

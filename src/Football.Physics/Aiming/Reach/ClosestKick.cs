@@ -78,16 +78,10 @@ internal sealed class ClosestKick
 
 /// <summary>The kick along the ground; its miss is at least the height of the target above the ball.</summary>
 /// <remarks>Its elevation has no effect, so it is simulated only once.</remarks>
-internal sealed class RollingKick
+internal sealed class RollingKick(AimContext context, ApproachByElevation approaches)
 {
-    private readonly AimContext _context;
-    private readonly ApproachByElevation _approaches;
-
-    public RollingKick(AimContext context, ApproachByElevation approaches)
-    {
-        _context = context;
-        _approaches = approaches;
-    }
+    private readonly AimContext _context = context;
+    private readonly ApproachByElevation _approaches = approaches;
 
     /// <summary>The elevation, in rad.</summary>
     public double Elevation { get; private set; }
@@ -125,25 +119,16 @@ internal sealed class RollingKick
 }
 
 /// <summary>Searches with three elevations and parabolas, which suffice for a hit or a clear miss.</summary>
-internal sealed class CoarseSearch
+internal sealed class CoarseSearch(ApproachByElevation approaches, RollingKick roll, ValleySearch valley, HitSearch hits)
 {
     /// <summary>The miss, as a share of the distance, above which three elevations and a parabola are conclusive.</summary>
     private const double ClearMiss = 0.002;
 
-    private readonly ApproachByElevation _approaches;
-    private readonly RollingKick _roll;
-    private readonly ValleySearch _valley;
-    private readonly WaveSearch _waves;
-    private readonly HitSearch _hits;
-
-    public CoarseSearch(ApproachByElevation approaches, RollingKick roll, ValleySearch valley, HitSearch hits)
-    {
-        _approaches = approaches;
-        _roll = roll;
-        _valley = valley;
-        _waves = new WaveSearch(approaches, valley);
-        _hits = hits;
-    }
+    private readonly ApproachByElevation _approaches = approaches;
+    private readonly RollingKick _roll = roll;
+    private readonly ValleySearch _valley = valley;
+    private readonly WaveSearch _waves = new(approaches, valley);
+    private readonly HitSearch _hits = hits;
 
     /// <summary>Runs the search.</summary>
     /// <returns>False if a finer search is necessary.</returns>
@@ -223,21 +208,14 @@ internal sealed class CoarseSearch
 }
 
 /// <summary>Searches many elevations: every change of sign of the miss is a hit, and every valley is searched to its minimum.</summary>
-internal sealed class CloseSearch
+internal sealed class CloseSearch(ApproachByElevation approaches, ValleySearch valley, HitSearch hits)
 {
     private const int Looks = 25;
 
-    private readonly ApproachByElevation _approaches;
-    private readonly ValleySearch _valley;
-    private readonly HitSearch _hits;
+    private readonly ApproachByElevation _approaches = approaches;
+    private readonly ValleySearch _valley = valley;
+    private readonly HitSearch _hits = hits;
     private readonly Approach[] _looks = new Approach[Looks];
-
-    public CloseSearch(ApproachByElevation approaches, ValleySearch valley, HitSearch hits)
-    {
-        _approaches = approaches;
-        _valley = valley;
-        _hits = hits;
-    }
 
     /// <summary>Runs the search.</summary>
     /// <returns>True if a hit was found.</returns>

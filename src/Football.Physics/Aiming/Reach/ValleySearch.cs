@@ -1,7 +1,7 @@
 namespace FootballPhysics.Aiming;
 
 /// <summary>Minimises the miss around three elevations by successive parabolas; at a bound, it uses the two kicks nearest to the bound.</summary>
-internal sealed class ValleySearch
+internal sealed class ValleySearch(ApproachByElevation approaches)
 {
     /// <summary>The maximum number of flights for one valley.</summary>
     private const int MostShots = 30;
@@ -9,9 +9,7 @@ internal sealed class ValleySearch
     /// <summary>The distance to a bound, in rad, at which the search ends if the miss falls up to the bound, despite small waves.</summary>
     private const double NearBound = 0.06;
 
-    private readonly ApproachByElevation _approaches;
-
-    public ValleySearch(ApproachByElevation approaches) => _approaches = approaches;
+    private readonly ApproachByElevation _approaches = approaches;
 
     /// <summary>The accuracy of a minimum, in m and as a share of the miss.</summary>
     public static double Closeness => 5e-4;
@@ -94,7 +92,7 @@ internal sealed class ValleySearch
 /// A flight that grazes the jump suddenly takes another path, so the miss over the elevation has waves near the minimum, and jumps in a descent.
 /// Without this search, a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>); with it, for none.
 /// </remarks>
-internal sealed class WaveSearch
+internal sealed class WaveSearch(ApproachByElevation approaches, ValleySearch valley)
 {
     /// <summary>The spacing of samples near the minimum of a valley, in rad, and their number on each side.</summary>
     private const double Wave = 0.025;
@@ -104,15 +102,9 @@ internal sealed class WaveSearch
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 
-    private readonly ApproachByElevation _approaches;
-    private readonly ValleySearch _valley;
+    private readonly ApproachByElevation _approaches = approaches;
+    private readonly ValleySearch _valley = valley;
     private readonly Approach[] _looks = new Approach[(2 * MostWaves) + 1];
-
-    public WaveSearch(ApproachByElevation approaches, ValleySearch valley)
-    {
-        _approaches = approaches;
-        _valley = valley;
-    }
 
     /// <summary>Samples both sides of the closest kick for a deeper wave or a jump.</summary>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
@@ -219,7 +211,7 @@ internal sealed class WaveSearch
 /// The step is halved when none of the four neighbours is closer. Without this search, 3 of 193 misses in wind can be improved; with it, only 1
 /// (<c>football lab answers --only verdicts --count 300</c>).
 /// </remarks>
-internal sealed class CompassSearch
+internal sealed class CompassSearch(ApproachByElevation approaches)
 {
     private const int MostShots = 30;
 
@@ -227,9 +219,7 @@ internal sealed class CompassSearch
     private const double FirstStep = 0.04;
     private const double LastStep = 1e-3;
 
-    private readonly ApproachByElevation _approaches;
-
-    public CompassSearch(ApproachByElevation approaches) => _approaches = approaches;
+    private readonly ApproachByElevation _approaches = approaches;
 
     /// <summary>Searches around the closest kick so far.</summary>
     /// <param name="rolls">True if the closest kick rolls, so that its elevation has no effect.</param>

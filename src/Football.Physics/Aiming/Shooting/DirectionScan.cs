@@ -3,7 +3,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Aiming;
 
 /// <summary>Simulates kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
-internal sealed class DirectionScan
+internal sealed class DirectionScan(ShootingProblem problem)
 {
     /// <summary>The maximum number of starts.</summary>
     public const int MostStarts = 24;
@@ -12,7 +12,7 @@ internal sealed class DirectionScan
     private const int MostColumns = 12;
     private const int N = ShootingProblem.Most;
 
-    private readonly ShootingProblem _problem;
+    private readonly ShootingProblem _problem = problem;
     private readonly double[] _squares = new double[MostRows * MostColumns];
     private readonly double[] _x = new double[MostRows * MostColumns * N];
     private readonly double[] _one = new double[N];
@@ -20,8 +20,6 @@ internal sealed class DirectionScan
     private readonly double[] _startSquares = new double[MostStarts];
     private int _rows;
     private int _columns;
-
-    public DirectionScan(ShootingProblem problem) => _problem = problem;
 
     /// <summary>The number of starts.</summary>
     public int Count { get; private set; }

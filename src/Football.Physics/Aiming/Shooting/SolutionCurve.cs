@@ -7,7 +7,7 @@ namespace FootballPhysics.Aiming;
 /// It uses pseudo-arclength continuation: a step along the tangent, then the shortest correction back to the curve. So the curve may turn back in
 /// any of the unknowns.
 /// </remarks>
-internal sealed class SolutionCurve
+internal sealed class SolutionCurve(ShootingProblem problem)
 {
     private const int N = ShootingProblem.Most;
     private const int MostSteps = 40;
@@ -23,17 +23,11 @@ internal sealed class SolutionCurve
 
     private static readonly int[] s_unknowns = [ShootingProblem.Elevation, ShootingProblem.Azimuth, ShootingProblem.LogSpeed, ShootingProblem.LogTime];
 
-    private readonly ShootingProblem _problem;
-    private readonly LeastSquares _solver;
+    private readonly ShootingProblem _problem = problem;
+    private readonly LeastSquares _solver = problem.Solver;
     private readonly double[] _next = new double[N];
     private readonly double[] _tangent = new double[4];
     private readonly double[] _last = new double[4];
-
-    public SolutionCurve(ShootingProblem problem)
-    {
-        _problem = problem;
-        _solver = problem.Solver;
-    }
 
     /// <summary>Follows the curve to slower kicks, until the speed is minimal or the kicks no longer hit.</summary>
     public void Descend(double[] x, ref AimSolution solution)

@@ -11,13 +11,21 @@ internal abstract class TouchProblem : ILeastSquares
     private const int MostFlights = 120;
 
     private readonly Foot _foot;
+    private readonly double _closeness;
     private readonly LeastSquares _solver;
     private int _flights;
 
-    protected TouchProblem(Simulator simulator, Foot foot, int equations)
+    /// <param name="simulator">The scene.</param>
+    /// <param name="foot">The foot that strikes the ball.</param>
+    /// <param name="unknowns">The number of unknowns.</param>
+    /// <param name="equations">The maximum number of residuals.</param>
+    /// <param name="closeness">The size of each of the first two residuals below which the touch is a hit.</param>
+    protected TouchProblem(Simulator simulator, Foot foot, int unknowns, int equations, double closeness)
     {
         Simulator = simulator;
         _foot = foot;
+        _closeness = closeness;
+        Unknowns = unknowns;
         Equations = equations;
         _solver = new LeastSquares(this, equations);
     }
@@ -31,7 +39,7 @@ internal abstract class TouchProblem : ILeastSquares
     /// <summary>The ball after the touch, at the evaluated moment.</summary>
     public BallState End;
 
-    public abstract int Unknowns { get; }
+    public int Unknowns { get; }
 
     public int Equations { get; protected set; }
 
@@ -67,7 +75,7 @@ internal abstract class TouchProblem : ILeastSquares
         return Follow(Strike.Velocity, Strike.Spin, r);
     }
 
-    public abstract bool IsHit(double[] r);
+    public virtual bool IsHit(double[] r) => Math.Abs(r[0]) < _closeness && Math.Abs(r[1]) < _closeness;
 
     /// <summary>Solves from a start, which is overwritten with the best solution; the last flight is that of the solution.</summary>
     public bool Solve(double[] x)
@@ -93,12 +101,19 @@ internal abstract class TouchProblem : ILeastSquares
     /// <summary>Simulates the ball for a time after a touch.</summary>
     protected void Run(in Vector3d velocity, in Vector3d spin, double duration)
     {
-        End = Ball;
-        Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        End = Kicked(in velocity, in spin);
 
         // Simulate up to the requested time, including bounces.
         Log.Clear();
         Simulator.Run(ref End, TimeStep, duration, StopAt.Time, Log, null);
+    }
+
+    /// <summary>Returns the ball right after a touch.</summary>
+    protected BallState Kicked(in Vector3d velocity, in Vector3d spin)
+    {
+        BallState kicked = Ball;
+        Simulator.Kick(ref kicked, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        return kicked;
     }
 
     /// <summary>Returns the spin of a ball that rolls on level ground, in rad/s.</summary>
@@ -106,20 +121,12 @@ internal abstract class TouchProblem : ILeastSquares
 }
 
 /// <summary>A dribbling touch: solves for the horizontal velocity and, if necessary, the topspin, that give the wanted position and speed.</summary>
-internal sealed class DribbleProblem : TouchProblem
+internal sealed class DribbleProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, unknowns: 3, equations: 3, closeness: 2e-4)
 {
-    private const double Close = 2e-4;
     private bool _spins;
     private double _after;
     private Vector3d _place;
     private double _pace;
-
-    public DribbleProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 3)
-    {
-    }
-
-    public override int Unknowns => 3;
 
     /// <summary>Sets the request.</summary>
     public void Set(in BallState ball, DribbleRequest request)
@@ -146,7 +153,7 @@ internal sealed class DribbleProblem : TouchProblem
 
     public override double Difference(int unknown) => unknown < 2 ? 0.02 : 2;
 
-    public override bool IsHit(double[] r) => Math.Abs(r[0]) < Close && Math.Abs(r[1]) < Close && (!_spins || Math.Abs(r[2]) < 0.01);
+    public override bool IsHit(double[] r) => base.IsHit(r) && (!_spins || Math.Abs(r[2]) < 0.01);
 
     public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
     {
@@ -170,18 +177,10 @@ internal sealed class DribbleProblem : TouchProblem
 }
 
 /// <summary>A trap: solves for the horizontal velocity after which the ball, with its remaining spin, settles as required.</summary>
-internal sealed class TrapProblem : TouchProblem
+internal sealed class TrapProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, unknowns: 2, equations: 2, closeness: 1e-3)
 {
-    private const double Close = 1e-3;
     private Vector3d _velocity;
     private double _after;
-
-    public TrapProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 2)
-    {
-    }
-
-    public override int Unknowns => 2;
 
     /// <summary>Sets the request.</summary>
     public void Set(in BallState ball, TrapRequest request)
@@ -196,8 +195,6 @@ internal sealed class TrapProblem : TouchProblem
     public override double LargestChange(int unknown) => 3;
 
     public override double Difference(int unknown) => 0.02;
-
-    public override bool IsHit(double[] r) => Math.Abs(r[0]) < Close && Math.Abs(r[1]) < Close;
 
     public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
     {
@@ -216,24 +213,15 @@ internal sealed class TrapProblem : TouchProblem
 }
 
 /// <summary>A first-time shot: solves for elevation and azimuth at a given speed, from the point at which the ball crosses the target plane.</summary>
-internal sealed class FirstTimeProblem : TouchProblem
+internal sealed class FirstTimeProblem(Simulator simulator, Foot foot) : TouchProblem(simulator, foot, unknowns: 2, equations: 2, closeness: 1e-4)
 {
-    private const double Degree = Math.PI / 180.0;
     private const double Longest = 6;
     private readonly Trajectory _path = new(2048);
-    private readonly double _tolerance = 1e-4;
     private LookAheadRequest _look = new();
     private FirstTimeRequest _request = new();
     private Plane3d _plane;
     private Vector3d _aside;
     private double _speed;
-
-    public FirstTimeProblem(Simulator simulator, Foot foot)
-        : base(simulator, foot, 2)
-    {
-    }
-
-    public override int Unknowns => 2;
 
     /// <summary>The closest approach of the last flight.</summary>
     public PathPoint Closest { get; private set; }
@@ -270,12 +258,9 @@ internal sealed class FirstTimeProblem : TouchProblem
 
     public override double Difference(int unknown) => 0.02;
 
-    public override bool IsHit(double[] r) => Math.Abs(r[0]) < _tolerance && Math.Abs(r[1]) < _tolerance;
-
     public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
     {
-        BallState kicked = Ball;
-        Simulator.Kick(ref kicked, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        BallState kicked = Kicked(in velocity, in spin);
 
         // Search the complete flight: the solver uses the offsets in the plane, but the result contains the closest approach.
         Simulator.LookAhead(in kicked, _look, _path);

@@ -4,7 +4,7 @@ using FootballPhysics.Scenes;
 namespace FootballPhysics.Prediction;
 
 /// <summary>Computes a goalkeeper's response to a shot.</summary>
-internal readonly struct KeeperSearch
+internal readonly struct KeeperSearch(PathSpans spans, WindowList found)
 {
     /// <summary>The shortest interval of successful reactions that is always found, in s.</summary>
     private const double Shortest = 1e-6;
@@ -18,14 +18,8 @@ internal readonly struct KeeperSearch
     /// <summary>The maximum number of intervals of all tries: on such a path, each try takes many.</summary>
     private const long MostIntervals = 1 << 22;
 
-    private readonly PathSpans _spans;
-    private readonly WindowList _found;
-
-    public KeeperSearch(PathSpans spans, WindowList found)
-    {
-        _spans = spans;
-        _found = found;
-    }
+    private readonly PathSpans _spans = spans;
+    private readonly WindowList _found = found;
 
     /// <summary>Runs the search.</summary>
     public KeeperResult Run(Trajectory path, in Player keeper, Goal goal, double now)
@@ -41,13 +35,7 @@ internal readonly struct KeeperSearch
         InterceptWindow first = saves ? _found.Items[0] : default;
 
         // The keeper covers the part of the goal line that is within his circle when the ball arrives.
-        var motion = new RunnerMotion(in keeper, now);
-        motion.MiddleAt(end, out double x, out double z);
-        var middle = new Vector3d(x, 0, z);
-        double off = mouth.BeforeMouth(in middle);
-        mouth.Place(in middle, out double aside, out _);
-        double radius = motion.RadiusAt(end);
-        double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
+        new RunnerMotion(in keeper, now).Covers(in mouth, end, out double left, out double right);
 
         // The lateral offset and height of the crossing decide whether the shot is on target.
         mouth.Place(crossing.Position, out double ballAside, out double height);
@@ -57,8 +45,8 @@ internal readonly struct KeeperSearch
             Crossing = crosses ? crossing : default,
             LateralOffset = crosses ? ballAside : 0,
             IsOnTarget = crosses && mouth.IsOpen(ballAside, height),
-            ReachLeft = Math.Max(-0.5 * goal.Width, aside - half),
-            ReachRight = Math.Min(0.5 * goal.Width, aside + half),
+            ReachLeft = Math.Max(-0.5 * goal.Width, left),
+            ReachRight = Math.Min(0.5 * goal.Width, right),
             ReachHeight = Math.Min(goal.Height, keeper.MaximumHeight - goal.Center.Y),
             Saves = saves,
             Save = saves ? new PathPoint(first.From, first.Position, first.Velocity, 0) : default,
@@ -128,26 +116,11 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>True if he no longer reaches the ball with this reaction.</summary>
-    private readonly struct TooLate : ICondition
+    private readonly struct TooLate(KeeperSearch search, Player keeper, double now, double begin, double end) : ICondition
     {
-        private readonly KeeperSearch _search;
-        private readonly Player _keeper;
-        private readonly double _now;
-        private readonly double _begin;
-        private readonly double _end;
-
-        public TooLate(KeeperSearch search, Player keeper, double now, double begin, double end)
-        {
-            _search = search;
-            _keeper = keeper;
-            _now = now;
-            _begin = begin;
-            _end = end;
-        }
-
         public bool Evaluate(double x, out bool holds)
         {
-            holds = !_search.Meets(_keeper.Reacting(x), _now, _begin, _end);
+            holds = !search.Meets(keeper.Reacting(x), now, begin, end);
             return false;
         }
     }

@@ -3,25 +3,16 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Prediction;
 
 /// <summary>A condition for a meeting on a path segment, as a function that falls through zero: the squared distance, or the height.</summary>
-internal readonly struct MeetingMargin : IDifferentiableFunction
+internal readonly struct MeetingMargin(in PathSpan span, in RunnerMotion runner, MeetingCondition what, bool reacts, bool falls) : IDifferentiableFunction
 {
     /// <summary>The size of a correction at which a root is accepted, in s.</summary>
     private const double Closeness = 1e-13;
 
-    private readonly PathSpan _span;
-    private readonly RunnerMotion _runner;
-    private readonly MeetingCondition _what;
-    private readonly double _sign;
-    private readonly bool _reacts;
-
-    public MeetingMargin(in PathSpan span, in RunnerMotion runner, MeetingCondition what, bool reacts, bool falls)
-    {
-        _span = span;
-        _runner = runner;
-        _what = what;
-        _reacts = reacts;
-        _sign = falls ? 1.0 : -1.0;
-    }
+    private readonly PathSpan _span = span;
+    private readonly RunnerMotion _runner = runner;
+    private readonly MeetingCondition _what = what;
+    private readonly double _sign = falls ? 1.0 : -1.0;
+    private readonly bool _reacts = reacts;
 
     public bool Evaluate(double x, out double value, out double slope)
     {

@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>The positions that a player can reach by a given time: a circle that moves with him until he reacts, and then grows.</summary>
@@ -91,5 +93,22 @@ internal readonly struct RunnerMotion
         return run <= 0 ? Start
             : run <= 0.5 * _speed * _rampTime ? Start + Math.Sqrt(2.0 * run / _acceleration)
             : Start + (run / _speed) + (0.5 * _rampTime);
+    }
+
+    /// <summary>Computes the part of a goal line that is within his circle; empty if there is none.</summary>
+    /// <param name="mouth">The goal.</param>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="from">The left end, in m to the right of the middle of the goal.</param>
+    /// <param name="to">The right end, in m to the right of the middle of the goal.</param>
+    public void Covers(in GoalMouth mouth, double time, out double from, out double to)
+    {
+        MiddleAt(time, out double x, out double z);
+        var middle = new Vector3d(x, 0, z);
+        double off = mouth.BeforeMouth(in middle);
+        mouth.Place(in middle, out double aside, out _);
+        double radius = RadiusAt(time);
+        double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
+        from = aside - half;
+        to = aside + half;
     }
 }

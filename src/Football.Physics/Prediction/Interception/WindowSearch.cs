@@ -8,7 +8,7 @@ namespace FootballPhysics.Prediction;
 /// halves a segment until each condition is decided: over a time h, a function with |f̈| ≤ M lies within M h²/8 of the chord between its ends, and is
 /// monotone if |ḟ| &gt; M h at its start. So no window or gap of a microsecond or more is lost.
 /// </remarks>
-internal struct WindowSearch
+internal struct WindowSearch(PathSpans path, in RunnerMotion runner, int index, bool firstOnly, WindowList found)
 {
     /// <summary>The shortest interval, in s; an interval of this length is decided from its ends.</summary>
     private const double Shortest = 1e-7;
@@ -16,26 +16,14 @@ internal struct WindowSearch
     /// <summary>Windows closer together than this, in s, are merged.</summary>
     private const double Adjoining = 1e-9;
 
-    private readonly PathSpans _path;
-    private readonly RunnerMotion _runner;
-    private readonly int _index;
-    private readonly bool _firstOnly;
-    private readonly WindowList _found;
+    private readonly PathSpans _path = path;
+    private readonly RunnerMotion _runner = runner;
+    private readonly int _index = index;
+    private readonly bool _firstOnly = firstOnly;
+    private readonly WindowList _found = found;
     private double _from;
     private bool _inside;
     private bool _done;
-
-    public WindowSearch(PathSpans path, in RunnerMotion runner, int index, bool firstOnly, WindowList found)
-    {
-        _path = path;
-        _runner = runner;
-        _index = index;
-        _firstOnly = firstOnly;
-        _found = found;
-        _from = 0;
-        _inside = false;
-        _done = false;
-    }
 
     /// <summary>Adds the windows between two times.</summary>
     /// <param name="from">The start of the search, in s.</param>

@@ -63,7 +63,7 @@ internal sealed class GustWaves
             }
 
             // The bound: all waves are at their crests at once.
-            Largest += largest * Unit(component);
+            Largest += largest * Vector3d.Axis(component);
             for (int block = 0; block < _waves.Length; block++)
             {
                 _waves[block].Set(component, At(sines, block), At(cosines, block));
@@ -99,8 +99,6 @@ internal sealed class GustWaves
 
         return new Vector3d(along.Sum, across.Sum, up.Sum);
     }
-
-    private static Vector3d Unit(int component) => new(component == 0 ? 1 : 0, component == 1 ? 1 : 0, component == 2 ? 1 : 0);
 
     private static Quad At(Span<double> of, int block) => new(of[4 * block], of[(4 * block) + 1], of[(4 * block) + 2], of[(4 * block) + 3]);
 

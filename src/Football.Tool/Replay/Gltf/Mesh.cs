@@ -9,6 +9,12 @@ internal sealed class Mesh
     /// <summary>The number of rings of a hemisphere.</summary>
     private const int Rings = 5;
 
+    private static readonly double s_golden = (1 + Math.Sqrt(5)) / 2;
+
+    /// <summary>The twelve corners of the icosahedron from which the panels of a ball are cut. Its edges have the length 2.</summary>
+    public static Vector3d[] Icosahedron { get; } =
+        [.. new[] { -1.0, 1.0 }.SelectMany(a => new[] { -s_golden, s_golden }.SelectMany(b => new[] { new Vector3d(0, a, b), new Vector3d(a, b, 0), new Vector3d(b, 0, a) }))];
+
     public List<Vector3d> Positions { get; } = [];
 
     public List<Vector3d> Normals { get; } = [];
@@ -99,16 +105,7 @@ internal sealed class Mesh
     /// <summary>Returns the panels of a ball of radius 1: the twelve pentagons of a truncated icosahedron, or its twenty hexagons.</summary>
     public static Mesh Panels(bool pentagons)
     {
-        double golden = (1 + Math.Sqrt(5)) / 2;
-        List<Vector3d> corners = [];
-        foreach (double a in (double[])[-1, 1])
-        {
-            foreach (double b in (double[])[-golden, golden])
-            {
-                corners.AddRange([new(0, a, b), new(a, b, 0), new(b, 0, a)]);
-            }
-        }
-
+        Vector3d[] corners = Icosahedron;
         bool Near(Vector3d a, Vector3d b) => Math.Abs((a - b).Length - 2) < 1e-9;
         Vector3d Cut(Vector3d from, Vector3d to) => (2 * from) + to;
         IEnumerable<Vector3d[]> panels = pentagons
@@ -127,7 +124,7 @@ internal sealed class Mesh
 
         return mesh;
 
-        bool Before(Vector3d a, Vector3d b) => corners.IndexOf(a) < corners.IndexOf(b);
+        bool Before(Vector3d a, Vector3d b) => Array.IndexOf(corners, a) < Array.IndexOf(corners, b);
     }
 
     private void Add(Vector3d position, Vector3d normal)

@@ -17,7 +17,7 @@ namespace FootballPhysics.Tool.Sweep.Formats;
 /// and continues a file from any checkpoint. It computes the length of a file before the first row, and merges shards without reading their rows.
 /// Snappy would save 7 % of random doubles.
 /// </remarks>
-internal sealed class ParquetFormat : RowFormat
+internal sealed class ParquetFormat(IReadOnlyList<Column> columns) : RowFormat
 {
     /// <summary>The number of rows in a row group.</summary>
     public const int GroupRows = 32_768;
@@ -34,14 +34,8 @@ internal sealed class ParquetFormat : RowFormat
     /// <summary>The metadata key of the schema with units and meanings (schema.json).</summary>
     private const string SchemaKey = "schema";
 
-    private readonly IReadOnlyList<Column> _columns;
-    private readonly List<Leaf> _leaves;
-
-    public ParquetFormat(IReadOnlyList<Column> columns)
-    {
-        _columns = columns;
-        _leaves = [.. columns.SelectMany((column, c) => column.Labels.Select((label, i) => new Leaf(label, column, c, i, Dictionary(column))))];
-    }
+    private readonly IReadOnlyList<Column> _columns = columns;
+    private readonly List<Leaf> _leaves = [.. columns.SelectMany((column, c) => column.Labels.Select((label, i) => new Leaf(label, column, c, i, Dictionary(column))))];
 
     public override string Name => "parquet";
 

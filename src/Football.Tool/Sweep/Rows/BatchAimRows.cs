@@ -45,13 +45,7 @@ internal sealed class BatchAimRows : RowMaker
 
     protected override IEnumerable<ColumnSource> AnswerSources() =>
     [
-        new(Column.Word("status", "what became of the search", AimRows.Statuses), (to, from, count) =>
-        {
-            for (int i = from; i < from + count; i++)
-            {
-                to.Words[i] = (byte)_kicks.Status[i];
-            }
-        }),
+        new(Column.Word("status", "what became of the search", AimRows.Statuses), Each((to, i) => to.Words[i] = (byte)_kicks.Status[i])),
         new(Column.Vector("velocity", "m/s", "velocity of the best kick"), Vectors(_kicks.Velocity)),
         new(Column.Vector("spin", "rad/s", "spin of the best kick"), Vectors(_kicks.Spin)),
         new(Column.Real("miss", "m", "the method's estimate of how far it passes from the target"), Numbers(_kicks.Miss)),

@@ -49,13 +49,7 @@ internal sealed class FlightRows : LaunchRows
     protected override IEnumerable<ColumnSource> AnswerSources() =>
     [
         .. LaunchSources(),
-        new(Column.Word("end", "what ended the flight", Ends), (to, from, count) =>
-        {
-            for (int i = from; i < from + count; i++)
-            {
-                to.Words[i] = (byte)_flights.End[i];
-            }
-        }),
+        new(Column.Word("end", "what ended the flight", Ends), Each((to, i) => to.Words[i] = (byte)_flights.End[i])),
         new(Column.Real("time", "s", "when, since the launch"), Numbers(_flights.Time)),
         new(Column.Vector("position", "m", "where the centre is then"), Vectors(_flights.Position)),
         new(Column.Vector("velocity", "m/s", "velocity then, before the impact"), Vectors(_flights.Velocity)),

@@ -4,15 +4,12 @@ using FootballPhysics.Tool.Sweep.Columns;
 namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Rows of launches.</summary>
-internal abstract class LaunchRows : RowMaker
+internal abstract class LaunchRows(SweepPlan plan, int capacity) : RowMaker(plan, capacity)
 {
-    protected LaunchRows(SweepPlan plan, int capacity)
-        : base(plan, capacity) => Launches = new BatchLaunches(capacity);
-
     /// <summary>The names of the ends of a flight; those of <see cref="BatchEnd"/> come first.</summary>
     protected static string[] Ends { get; } = ["impact", "time", "ground", "plane", "rest"];
 
-    protected BatchLaunches Launches { get; }
+    protected BatchLaunches Launches { get; } = new(capacity);
 
     protected void Prepare(SweepScene scene, int row)
     {

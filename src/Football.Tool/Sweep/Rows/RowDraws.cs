@@ -3,16 +3,10 @@ using FootballPhysics.Tool.Sweep.Ranges;
 namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>The random values of some rows.</summary>
-internal sealed class RowDraws
+internal sealed class RowDraws(SweepPlan plan, int capacity)
 {
-    private readonly SweepPlan _plan;
-    private readonly FieldValue[][] _values;
-
-    public RowDraws(SweepPlan plan, int capacity)
-    {
-        _plan = plan;
-        _values = [.. plan.Fields.Select(_ => new FieldValue[capacity])];
-    }
+    private readonly SweepPlan _plan = plan;
+    private readonly FieldValue[][] _values = [.. plan.Fields.Select(_ => new FieldValue[capacity])];
 
     /// <summary>The index of the first row.</summary>
     public long First { get; private set; }

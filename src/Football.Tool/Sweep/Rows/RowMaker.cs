@@ -4,19 +4,12 @@ using FootballPhysics.Tool.Sweep.Columns;
 namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Computes rows, on one thread.</summary>
-internal abstract class RowMaker
+internal abstract class RowMaker(SweepPlan plan, int capacity)
 {
-    private readonly int _capacity;
+    private readonly int _capacity = capacity;
     private IReadOnlyList<ColumnSource>? _sources;
     private IReadOnlyList<ColumnSource>? _chosen;
     private IReadOnlyList<ColumnData>? _columns;
-
-    protected RowMaker(SweepPlan plan, int capacity)
-    {
-        Plan = plan;
-        Draws = new RowDraws(plan, capacity);
-        _capacity = capacity;
-    }
 
     /// <summary>All possible columns.</summary>
     public IReadOnlyList<ColumnSource> Sources => _sources ??= [.. DrawnSources(), .. AnswerSources()];
@@ -26,9 +19,9 @@ internal abstract class RowMaker
     /// <summary>The number of the last rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</summary>
     public abstract long? FlownSingly { get; }
 
-    protected SweepPlan Plan { get; }
+    protected SweepPlan Plan { get; } = plan;
 
-    protected RowDraws Draws { get; }
+    protected RowDraws Draws { get; } = new(plan, capacity);
 
     private IReadOnlyList<ColumnSource> Chosen => _chosen ??= Plan.Row.Columns.Count == 0
         ? [.. Sources.Where(source => source.IsDefault)]
@@ -83,6 +76,15 @@ internal abstract class RowMaker
         }
     }
 
+    /// <summary>Returns a function that sets a column row by row.</summary>
+    protected static Action<ColumnData, int, int> Each(Action<ColumnData, int> set) => (to, from, count) =>
+    {
+        for (int i = from; i < from + count; i++)
+        {
+            set(to, i);
+        }
+    };
+
     /// <summary>Returns a function that copies vectors to a column.</summary>
     protected static Action<ColumnData, int, int> Vectors(Vector3dColumns vectors) => (to, from, count) =>
     {
@@ -107,13 +109,7 @@ internal abstract class RowMaker
     /// <summary>Returns the columns of the row's index and random values. For a kick, all five numbers are included even if they are fixed.</summary>
     private IEnumerable<ColumnSource> DrawnSources()
     {
-        yield return new ColumnSource(Column.Whole("index", "", "number of the row in the whole sweep, from 0"), (to, from, count) =>
-        {
-            for (int i = from; i < from + count; i++)
-            {
-                to.Wholes[i] = Draws.First + i;
-            }
-        });
+        yield return new ColumnSource(Column.Whole("index", "", "number of the row in the whole sweep, from 0"), Each((to, i) => to.Wholes[i] = Draws.First + i));
         IReadOnlyList<DirectField> direct = Plan.Scene.Aim is null ? DirectField.OfLaunch : DirectField.OfAim;
         bool isKick = Plan.Scene.Aim is null && !Plan.Scene.HasVectors;
         for (int n = 0; n < direct.Count; n++)
@@ -121,32 +117,23 @@ internal abstract class RowMaker
             int number = n;
             if (Plan.FieldOf[n] >= 0 || (isKick && n < DirectField.KickNumbers))
             {
-                yield return new ColumnSource(Column.Real(direct[n].Column, direct[n].Unit, $"{direct[n].Path}, as drawn"), (to, from, count) =>
-                {
-                    for (int i = from; i < from + count; i++)
-                    {
-                        to.Reals[i] = Draws.Number(SceneOf(i), number, i);
-                    }
-                });
+                yield return new ColumnSource(Column.Real(direct[n].Column, direct[n].Unit, $"{direct[n].Path}, as drawn"), Each((to, i) => to.Reals[i] = Draws.Number(SceneOf(i), number, i)));
             }
         }
 
         foreach (int f in Plan.SceneFields)
         {
-            yield return new ColumnSource(Plan.Fields[f].Column, (to, from, count) =>
+            yield return new ColumnSource(Plan.Fields[f].Column, Each((to, i) =>
             {
-                for (int i = from; i < from + count; i++)
+                if (to.Column.Kind == ColumnKind.Word)
                 {
-                    if (to.Column.Kind == ColumnKind.Word)
-                    {
-                        to.Words[i] = (byte)Draws.Value(f, i).Choice;
-                    }
-                    else
-                    {
-                        to.Reals[i] = Draws.Value(f, i).Number;
-                    }
+                    to.Words[i] = (byte)Draws.Value(f, i).Choice;
                 }
-            });
+                else
+                {
+                    to.Reals[i] = Draws.Value(f, i).Number;
+                }
+            }));
         }
     }
 }
