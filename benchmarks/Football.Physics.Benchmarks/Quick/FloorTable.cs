@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Integration;
-using FootballPhysics.Laws;
 using FootballPhysics.State;
 using FootballPhysics.Yardsticks;
 
