@@ -6,7 +6,7 @@ namespace FootballPhysics.Laws;
 /// <summary>The aerodynamic laws of a scene behind one virtual call, for all code except the hot flight step. Immutable and thread-safe.</summary>
 internal abstract class AirLaws
 {
-    /// <summary>A squared spin below this, in rad²/s², counts as zero: its reciprocal would overflow in later products.</summary>
+    /// <summary>A squared spin below this, in rad²/s², counts as no spin, so that no product with its reciprocal overflows.</summary>
     public const double NoSpin = 1e-100;
 
     /// <summary>True if drag acts.</summary>
