@@ -1,38 +1,50 @@
+using System.Xml.Linq;
 using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Labs;
 
 /// <summary>The thesis' experiments with its predictors (4.1.3, 4.2.3, 4.3.2), next to the library's own solver.</summary>
-internal sealed class AimExperiments(int seed, bool quick)
+internal sealed class AimExperiments(LabRun run, bool quick)
 {
+    private readonly int _seed = unchecked((int)run.Seed);
+    private readonly List<XElement> _tiles = [];
     private readonly AimBench _fine = AimBench.Rk2(0.01);
     private readonly AimBench _coarse = AimBench.Rk2(0.04);
 
     private int Count => quick ? 100 : 1000;
 
-    /// <summary>4.1.3: Method A at 10 and 40 ms.</summary>
-    public AimSection MethodA()
+    /// <summary>Runs all experiments. Each adds a table, its kicks, its findings and its charts.</summary>
+    public void Run()
     {
-        AimRequest[] requests = AimSets.Thesis(seed, Count);
+        run.Rows = new LabTable(
+            "kick", "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds");
+        run.Picture = () => Figure.Stack("Aiming", [.. _tiles]);
+        foreach (Action experiment in (Action[])[MethodA, HighElevations, Studio, MethodB, TwoPoints, Targets])
+        {
+            run.Progress.Report(() => experiment.Method.Name);
+            experiment();
+        }
+    }
+
+    /// <summary>4.1.3: Method A at 10 and 40 ms.</summary>
+    private void MethodA()
+    {
+        AimRequest[] requests = AimSets.Thesis(_seed, Count);
         AimRow[] rows =
         [
             new("A, 10 ms", _fine.Run(requests, AimMethod.Angle)) { Thesis = "4.0 mm, worst 12; 1750 µs" },
             new("A, 40 ms", _coarse.Run(requests, AimMethod.Angle)) { Thesis = "5.1 mm, worst 14; 490 µs" },
             Direct("direct", _fine.Run(requests, AimMethod.Direct), 2.5),
         ];
-        return new AimSection("4.1.3, Method A: 25 m/s, spin (20, 10), 15 to 25 m, at most 30°, 1 cm, RK2", rows)
-        {
-            Remark = "True misses: the thesis measured its own at 10 ms.",
-            Charts =
-            [
-                AimCharts.Misses(rows[0], rows), AimCharts.Times(rows[0], rows), AimCharts.Misses(rows[1], rows), AimCharts.Times(rows[1], rows),
-                AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows),
-            ],
-        };
+        Add(
+            "4.1.3, Method A: 25 m/s, spin (20, 10), 15 to 25 m, at most 30°, 1 cm, RK2", rows,
+            Charts(rows),
+            "True misses: the thesis measured its own at 10 ms.");
     }
 
     /// <summary>4.1.3, limits: method A beyond 30°, and the other methods there.</summary>
-    public AimSection HighElevations()
+    private void HighElevations()
     {
         AimRequest[] requests = AimSets.Farther(15, 60, quick ? 46 : 181);
         AimRow[] rows =
@@ -41,22 +53,20 @@ internal sealed class AimExperiments(int seed, bool quick)
             new("B", _fine.Run(requests, AimMethod.Bisection)) { Thesis = "about 10 iterations, at most 11" },
             new("direct", _fine.Run(requests, AimMethod.Direct)),
         ];
-        return new AimSection("4.1.3 and 4.2.3, limits: the same kick from 15 to 60 m, at most 45°, RK2 at 10 ms", rows)
-        {
-            Charts =
+        Add(
+            "4.1.3 and 4.2.3, limits: the same kick from 15 to 60 m, at most 45°, RK2 at 10 ms", rows,
             [
-                AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows),
+                Iterations(rows),
                 AimCharts.Over("Elevation against distance", "distance, m", "elevation, °", shot => shot.Distance, shot => shot.Elevation, rows),
                 AimCharts.Over("Time against distance", "distance, m", "µs", shot => shot.Distance, shot => shot.Microseconds, rows, AxisScale.Logarithmic),
                 AimCharts.Over("True miss against distance", "distance, m", "m", shot => shot.Distance, shot => Math.Max(1e-6, shot.Miss), rows, AxisScale.Logarithmic),
-            ],
-        };
+            ]);
     }
 
     /// <summary>4.1.3: the setting of the studio's comparison.</summary>
-    public AimSection Studio()
+    private void Studio()
     {
-        AimRequest[] requests = AimSets.Studio(seed + 1, quick ? 500 : 5000);
+        AimRequest[] requests = AimSets.Studio(_seed + 1, quick ? 500 : 5000);
         var own = new AimBench(AimSets.StudioScene, AimSets.StudioSettings, AimSets.StudioStep, judgeOwn: true);
         var truth = new AimBench(AimSets.StudioScene, AimSets.StudioSettings, AimSets.StudioStep);
         AimShot[] shots = own.Run(requests, AimMethod.Angle);
@@ -66,78 +76,101 @@ internal sealed class AimExperiments(int seed, bool quick)
             Reach = ("at most 5 iterations", shots.Max(shot => shot.Result.Iterations) <= 5),
         };
         AimRow[] rows = [a, new("the same kicks, true miss", [.. shots.Select(shot => shot with { Miss = shot.Result.Miss })]), Direct("direct", truth.Run(requests, AimMethod.Direct), 2.5)];
-        return new AimSection("4.1.3, the studio's setting: constant coefficients, semi-implicit Euler at 60 Hz, 20 to 30 m/s, spins within ±20", rows)
-        {
-            Remark = "The method hits in its own integrator, which is itself centimetres off the reference.",
-            Charts = [AimCharts.Times(a, [a]), AimCharts.Misses(a, [a]), AimCharts.IterationCounts(a)],
-        };
+        Add(
+            "4.1.3, the studio's setting: constant coefficients, semi-implicit Euler at 60 Hz, 20 to 30 m/s, spins within ±20", rows,
+            [AimCharts.Times(a, [a]), AimCharts.Misses(a, [a]), AimCharts.IterationCounts(a)],
+            "The method hits in its own integrator, which is itself centimetres off the reference.");
     }
 
     /// <summary>4.2.3: Method B in the experiment of 4.1.3.</summary>
-    public AimSection MethodB()
+    private void MethodB()
     {
-        AimRequest[] requests = AimSets.Thesis(seed, Count);
+        AimRequest[] requests = AimSets.Thesis(_seed, Count);
         AimRow[] rows =
         [
             new("B, 10 ms", _fine.Run(requests, AimMethod.Bisection)) { Thesis = "4.5 mm; 3450 µs; at most 11 iterations" },
             new("B, 40 ms", _coarse.Run(requests, AimMethod.Bisection)) { Thesis = "5 mm; 950 µs" },
         ];
-        return new AimSection("4.2.3, Method B in the experiment of 4.1.3", rows)
-        {
-            Charts =
-            [
-                AimCharts.Misses(rows[0], rows), AimCharts.Times(rows[0], rows), AimCharts.Misses(rows[1], rows), AimCharts.Times(rows[1], rows),
-                AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows),
-            ],
-        };
+        Add("4.2.3, Method B in the experiment of 4.1.3", rows, Charts(rows));
     }
 
     /// <summary>4.3.2: both free kicks.</summary>
-    public IEnumerable<AimSection> TwoPoints()
+    private void TwoPoints()
     {
         int speeds = quick ? 41 : 161;
-        yield return FreeKick("4.3.2, first: around the wall into the top left corner, 25 m, 20 to 40 m/s, RK2 at 40 ms", AimSets.AroundTheWall(speeds), "4.5 mm, worst 12; 4900 µs");
-        yield return FreeKick("4.3.2, second: over the wall into the bottom left corner", AimSets.OverTheWall(speeds), "4.7 mm; 4900 µs");
+        FreeKick("4.3.2, first: around the wall into the top left corner, 25 m, 20 to 40 m/s, RK2 at 40 ms", AimSets.AroundTheWall(speeds), "4.5 mm, worst 12; 4900 µs");
+        FreeKick("4.3.2, second: over the wall into the bottom left corner", AimSets.OverTheWall(speeds), "4.7 mm; 4900 µs");
     }
 
     /// <summary>The targets of the library's own solver, next to the thesis' experiments.</summary>
-    public AimSection Targets()
+    private void Targets()
     {
-        AimShot[] points = _fine.Run(AimSets.TwoPoint(seed + 2, Count), AimMethod.Direct);
-        AimShot[] far = _fine.Run(AimSets.TooFar(seed + 3, Count), AimMethod.Direct);
+        AimShot[] points = _fine.Run(AimSets.TwoPoint(_seed + 2, Count), AimMethod.Direct);
+        AimShot[] far = _fine.Run(AimSets.TooFar(_seed + 3, Count), AimMethod.Direct);
         AimShot[] thesis = _coarse.Run([.. points.Select(shot => shot.Request)], AimMethod.TwoPoint);
         var two = new AimRow("direct, two points within the spins' limits", points);
-        return new AimSection("The library's own solver: two points that can be passed, and targets that cannot be reached", [
-            new AimRow(two.Name, points)
+        AimRow[] rows =
+        [
+            two with
             {
                 Thesis = "nobody",
                 Reach = ("≤ 1 mm, ≤ 1 cm at the point, ≤ 4 simulations", two.Miss.Worst <= 1e-3 && two.ThroughMiss!.Worst <= 1e-2 && two.Simulations.Mean <= 4),
             },
-            new AimRow("the thesis' two-point method on them, 40 ms", thesis),
-            new AimRow("direct, too far by 4 to 15 % of the speed", far) { Reach = ("no hit but a true one", far.All(shot => shot.Result.Status == AimStatus.OutOfReach || shot.Result.Miss <= 1e-3)) },
-        ]);
+            new("the thesis' two-point method on them, 40 ms", thesis),
+            new("direct, too far by 4 to 15 % of the speed", far) { Reach = ("no hit but a true one", far.All(shot => shot.Result.Status == AimStatus.OutOfReach || shot.Result.Miss <= 1e-3)) },
+        ];
+        Add("The library's own solver: two points that can be passed, and targets that cannot be reached", rows, []);
     }
+
+    private static XElement[] Charts(AimRow[] rows) =>
+    [
+        AimCharts.Misses(rows[0], rows), AimCharts.Times(rows[0], rows), AimCharts.Misses(rows[1], rows), AimCharts.Times(rows[1], rows), Iterations(rows),
+    ];
+
+    private static XElement Iterations(AimRow[] rows) =>
+        AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows);
 
     private static AimRow Direct(string name, AimShot[] shots, double simulations)
     {
         var row = new AimRow(name, shots);
-        return new AimRow(name, shots)
-        {
-            Reach = (FormattableString.Invariant($"≤ 1 mm always, ≤ {simulations} simulations"), row.Miss.Worst <= 1e-3 && row.Simulations.Mean <= simulations),
-        };
+        return row with { Reach = (FormattableString.Invariant($"≤ 1 mm always, ≤ {simulations} simulations"), row.Miss.Worst <= 1e-3 && row.Simulations.Mean <= simulations) };
     }
 
-    private AimSection FreeKick(string title, AimRequest[] requests, string thesis)
+    /// <summary>Adds an experiment: its rows, its kicks, its charts and its finding.</summary>
+    private void Add(string title, AimRow[] rows, XElement[] charts, string remark = "")
+    {
+        LabTable table = run.Table(title, AimRow.Columns);
+        foreach (AimRow row in rows)
+        {
+            run.Failed |= row.Reach is { Reached: false };
+            table.Add(row.Cells);
+            run.Rows!.Rows.AddRange(row.Shots.Select(shot => new object?[]
+            {
+                title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.WaypointMiss,
+                shot.Elevation, shot.TopSpin, shot.SideSpin, shot.Result.Iterations, shot.Result.Simulations, shot.Microseconds,
+            }));
+        }
+
+        if (charts.Length > 0)
+        {
+            _tiles.Add(Figure.Tile(title, charts));
+        }
+
+        if (remark.Length > 0)
+        {
+            run.Notes.Add($"{title}: {remark}");
+        }
+    }
+
+    private void FreeKick(string title, AimRequest[] requests, string thesis)
     {
         AimRow[] rows =
         [
             new("two-point, 40 ms", _coarse.Run(requests, AimMethod.TwoPoint)) { Thesis = thesis },
             new("direct", _coarse.Run(requests, AimMethod.Direct)),
         ];
-        return new AimSection(title, rows)
-        {
-            Remark = string.Join(' ', rows.Select(row => $"{row.Name}: sidespin at its limit {Saturated(row, shot => shot.SideSpin)}, topspin {Saturated(row, shot => shot.TopSpin)}.")),
-            Charts =
+        Add(
+            title, rows,
             [
                 AimCharts.Over("Miss at the target against speed", "speed, m/s", "mm", shot => shot.Request.Speed, shot => Math.Max(1e-3, 1e3 * shot.Miss), rows, AxisScale.Logarithmic),
                 AimCharts.Over("Miss at the point against speed", "speed, m/s", "m", shot => shot.Request.Speed, shot => shot.Result.WaypointMiss ?? 0, rows),
@@ -145,7 +178,7 @@ internal sealed class AimExperiments(int seed, bool quick)
                 AimCharts.Over("Topspin against speed", "speed, m/s", "rad/s", shot => shot.Request.Speed, shot => shot.TopSpin, rows),
                 AimCharts.Over("Time against speed", "speed, m/s", "µs", shot => shot.Request.Speed, shot => shot.Microseconds, rows, AxisScale.Logarithmic),
             ],
-        };
+            string.Join(' ', rows.Select(row => $"{row.Name}: sidespin at its limit {Saturated(row, shot => shot.SideSpin)}, topspin {Saturated(row, shot => shot.TopSpin)}.")));
     }
 
     private static string Saturated(AimRow row, Func<AimShot, double> spin)

@@ -1,43 +1,23 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>A row of a table: the results of a method for a set of requests.</summary>
-internal sealed class AimRow
+internal sealed record AimRow(string Name, IReadOnlyList<AimShot> Shots)
 {
-    public AimRow(string name, IReadOnlyList<AimShot> shots)
-    {
-        Name = name;
-        Shots = shots;
-        Hits = shots.Count(shot => shot.Miss <= shot.Request.Tolerance);
-        OutOfReach = shots.Count(shot => shot.Result.Status == AimStatus.OutOfReach);
-        IReadOnlyList<AimShot> counted = Hits > 0 ? [.. shots.Where(shot => shot.Result.Status != AimStatus.OutOfReach)] : shots;
-        Miss = new Spread(counted.Select(shot => shot.Miss));
-        ThroughMiss = shots.Any(shot => shot.Result.WaypointMiss is not null && shot.Request.Waypoint is not null)
-            ? new Spread(counted.Select(shot => shot.Result.WaypointMiss ?? 0))
-            : null;
-        Iterations = new Spread(shots.Select(shot => (double)shot.Result.Iterations));
-        Simulations = new Spread(shots.Select(shot => (double)shot.Result.Simulations));
-        Microseconds = new Spread(shots.Select(shot => shot.Microseconds));
-    }
-
-    public string Name { get; }
-
-    public IReadOnlyList<AimShot> Shots { get; }
-
-    public int Hits { get; }
-
-    public int OutOfReach { get; }
+    public static readonly string[] Columns =
+    [
+        "method", "kicks", "hit", "out of reach", "miss mm: mean", "miss: p95", "miss: worst", "point mm: mean", "point: worst",
+        "iterations", "most", "simulations", "median µs", "mean µs", "thesis", "to reach",
+    ];
 
     /// <summary>Misses of the kicks that were not out of reach, m.</summary>
-    public Spread Miss { get; }
+    public Spread Miss => new(Counted.Select(shot => shot.Miss));
 
     /// <summary>Misses at the waypoint; null without a waypoint.</summary>
-    public Spread? ThroughMiss { get; }
+    public Spread? ThroughMiss => Shots.Any(shot => shot.Result.WaypointMiss is not null && shot.Request.Waypoint is not null)
+        ? new Spread(Counted.Select(shot => shot.Result.WaypointMiss ?? 0))
+        : null;
 
-    public Spread Iterations { get; }
-
-    public Spread Simulations { get; }
-
-    public Spread Microseconds { get; }
+    public Spread Simulations => new(Shots.Select(shot => (double)shot.Result.Simulations));
 
     /// <summary>The thesis' result.</summary>
     public string Thesis { get; init; } = "";
@@ -45,16 +25,53 @@ internal sealed class AimRow
     /// <summary>The target, and whether it was reached; null without a target.</summary>
     public (string Text, bool Reached)? Reach { get; init; }
 
-    public static string[] Columns { get; } =
-    [
-        "method", "kicks", "hit", "out of reach", "miss mm: mean", "miss: p95", "miss: worst", "point mm: mean", "point: worst",
-        "iterations", "most", "simulations", "median µs", "mean µs", "thesis", "to reach",
-    ];
+    public object?[] Cells
+    {
+        get
+        {
+            (Spread miss, Spread? through) = (Miss, ThroughMiss);
+            var iterations = new Spread(Shots.Select(shot => (double)shot.Result.Iterations));
+            var microseconds = new Spread(Shots.Select(shot => shot.Microseconds));
+            return
+            [
+                Name, Shots.Count, Hits, Shots.Count(IsOutOfReach), 1e3 * miss.Mean, 1e3 * miss.P95, 1e3 * miss.Worst, 1e3 * through?.Mean, 1e3 * through?.Worst,
+                iterations.Mean, (int)iterations.Worst, Simulations.Mean, microseconds.Median, microseconds.Mean,
+                Thesis, Reach is { } reach ? reach.Text + (reach.Reached ? ": yes" : ": NO") : "",
+            ];
+        }
+    }
 
-    public object?[] Cells =>
-    [
-        Name, Shots.Count, Hits, OutOfReach, 1e3 * Miss.Mean, 1e3 * Miss.P95, 1e3 * Miss.Worst, 1e3 * ThroughMiss?.Mean, 1e3 * ThroughMiss?.Worst,
-        Iterations.Mean, (int)Iterations.Worst, Simulations.Mean, Microseconds.Median, Microseconds.Mean,
-        Thesis, Reach is { } reach ? reach.Text + (reach.Reached ? ": yes" : ": NO") : "",
-    ];
+    private int Hits => Shots.Count(shot => shot.Miss <= shot.Request.Tolerance);
+
+    private IEnumerable<AimShot> Counted => Hits > 0 ? Shots.Where(shot => !IsOutOfReach(shot)) : Shots;
+
+    private static bool IsOutOfReach(AimShot shot) => shot.Result.Status == AimStatus.OutOfReach;
+}
+
+/// <summary>A request, the kick that a method found for it, and its measured miss.</summary>
+/// <param name="Request">The request.</param>
+/// <param name="Result">The result; its misses are measured.</param>
+/// <param name="Miss">The miss that the experiment counts, m: in the reference simulation, or in the game's own integrator.</param>
+/// <param name="Microseconds">The time of the search, µs.</param>
+internal sealed record AimShot(AimRequest Request, AimResult Result, double Miss, double Microseconds)
+{
+    /// <summary>Horizontal distance of the target, m.</summary>
+    public double Distance => (Request.Target - Request.From).Horizontal.Length;
+
+    /// <summary>Elevation of the kick, degrees.</summary>
+    public double Elevation => Math.Atan2(Result.Velocity.Y, Result.Velocity.Horizontal.Length) * 180 / Math.PI;
+
+    /// <summary>Sidespin of the kick, rad/s.</summary>
+    public double SideSpin => Result.Spin.Y;
+
+    /// <summary>Topspin of the kick, rad/s.</summary>
+    public double TopSpin
+    {
+        get
+        {
+            Vector3d d = Result.Velocity.Horizontal;
+            double length = d.Length;
+            return length > 0 ? ((Result.Spin.X * d.Z) - (Result.Spin.Z * d.X)) / length : 0;
+        }
+    }
 }

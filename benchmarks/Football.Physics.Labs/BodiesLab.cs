@@ -41,22 +41,19 @@ internal static class BodiesLab
         Corrected,
     }
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Command Create(Terminal terminal) => new Lab(
         "bodies",
         "How far a rigid body, stepped as engines do, misses the library's own flight at 10, 20 and 30 m, with the air's forces from Aerodynamics.",
-        ["football lab bodies"],
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+        ["football lab bodies"]).Command(terminal, Run);
 
-    private static LabReport Run(long seed, Progress progress)
+    private static void Run(LabRun run)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 53));
+        SeededRandom random = run.Random(53);
         var scene = new Scene { Ground = Ground.None };
         var air = new Aerodynamics(scene);
-        var table = new LabTable(
+        LabTable table = run.Table(
             "60 kicks: distance from the library's flight in the plane, mm",
             "steps", "distance, m", "exact mean", "exact worst", "body mean", "body worst", "more, worst", "kicked mean", "kicked worst", "corrected mean", "corrected worst", "verdict");
-        var report = new LabReport { Name = "bodies", Seed = seed, Tables = { table } };
         var kicks = new (Vector3d Velocity, Vector3d Spin)[Kicks];
         var truth = new Vector3d[Kicks][];
         for (int i = 0; i < Kicks;)
@@ -69,7 +66,7 @@ internal static class BodiesLab
 
         foreach (int rate in (int[])[240, 50])
         {
-            progress.Report(table.Rows.Count, 6, () => $"{rate} Hz");
+            run.Progress.Report(table.Rows.Count, 6, () => $"{rate} Hz");
             double step = 1.0 / rate;
             double[][][] misses = [.. Enum.GetValues<Body>().Select(body => Misses(body, scene, air, step, kicks, truth))];
             for (int d = 0; d < Distances.Length; d++)
@@ -81,14 +78,12 @@ internal static class BodiesLab
                 double[] corrected = Of(Body.Corrected);
                 double more = rigid.Zip(exact, (mine, own) => mine - own).Max();
                 bool holds = more <= 1e3 * MostMore && (rate != 240 || corrected.Max() <= 1e3 * MostCorrected);
-                report.Failed |= !holds;
-                table.Add($"{rate} Hz", Distances[d], exact.Average(), exact.Max(), rigid.Average(), rigid.Max(), more, kicked.Average(), kicked.Max(), corrected.Average(), corrected.Max(), Verdict.Of(holds));
+                table.Judge(holds, $"{rate} Hz", Distances[d], exact.Average(), exact.Max(), rigid.Average(), rigid.Max(), more, kicked.Average(), kicked.Max(), corrected.Average(), corrected.Max());
             }
         }
 
-        report.Notes.Add("exact: the library's semi-implicit Euler method. body: single precision, forces from Aerodynamics. kicked: the same, kicked with KickVelocity. corrected: forces from EvaluateForStep too.");
-        report.Notes.Add(FormattableString.Invariant($"{Many} bodies in one call: {TimeOfMany(air, kicks):0.00} ms"));
-        return report;
+        run.Notes.Add("exact: the library's semi-implicit Euler method. body: single precision, forces from Aerodynamics. kicked: the same, kicked with KickVelocity. corrected: forces from EvaluateForStep too.");
+        run.Notes.Add(FormattableString.Invariant($"{Many} bodies in one call: {TimeOfMany(air, kicks):0.00} ms"));
     }
 
     private static (Vector3d Velocity, Vector3d Spin) Kick(SeededRandom random)

@@ -16,21 +16,19 @@ internal static class ConsistencyLab
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
 
-    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
+    public static Command Create(Terminal terminal) => new Lab(
         "consistency",
         "Distances between the landing points of 250 shots, each with three time steps (Test 3.4.2 of the original thesis).",
         ["football lab consistency --seed 3 --json consistency.json"],
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+        isDrawn: true).Command(terminal, Run);
 
-    private static LabReport Run(long seed, Progress progress)
+    private static void Run(LabRun run)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "Consistency (3.4.2), 250 shots: gap between landing points, mm",
             "set", "law", "method", "steps", "mean", "p95", "worst", "thesis mean", "reach", "verdict");
-        var report = new LabReport { Name = "consistency", Seed = seed, Tables = { table } };
         var charts = new List<Func<XElement>>();
-        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(seed, Shots)), ("slow", ShotSets.Slow(seed, Shots)) })
+        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(run.Seed, Shots)), ("slow", ShotSets.Slow(run.Seed, Shots)) })
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
@@ -39,7 +37,7 @@ internal static class ConsistencyLab
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
                 {
-                    progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
+                    run.Progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
                     double[][] gaps = Measure(shots, forces, locate, method);
                     for (int i = 0; i < gaps.Length; i++)
                     {
@@ -57,8 +55,7 @@ internal static class ConsistencyLab
             }
         }
 
-        report.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
-        return report;
+        run.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
     }
 
     private static double[] Thesis(Integrator method) => method == Integrator.Rk2 ? [3.1, 7.1, 7.0] : [1.8, 3.8, 3.2];

@@ -23,12 +23,10 @@ internal static class KicksLab
     /// <summary>The number of seeds of the knuckle force that are simulated.</summary>
     private const int Seeds = 200;
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Command Create(Terminal terminal) => new Lab(
         "kicks",
         "Known kicks (measured, filmed or reported), compared with both profiles, including those that neither reproduces.",
-        ["football lab kicks", "football lab kicks --csv kicks.csv"],
-        terminal,
-        (_, seed, _) => Run(seed));
+        ["football lab kicks", "football lab kicks --csv kicks.csv"]).Command(terminal, Run);
 
     /// <summary>All rows.</summary>
     public static IReadOnlyList<ReportedKick> Kicks { get; } =
@@ -50,18 +48,15 @@ internal static class KicksLab
         new("Knuckle ball of 30 m/s, 20 m", "scatter aside, SD, m", null, 0, Scatter),
     ];
 
-    private static LabReport Run(long seed)
+    private static void Run(LabRun run)
     {
-        var table = new LabTable("Kicks", "kick", "number", "reported", "±", "measured", "measured is", "published", "published is", "why not");
-        var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
+        LabTable table = run.Table("Kicks", "kick", "number", "reported", "±", "measured", "measured is", "published", "published is", "why not");
         foreach (ReportedKick kick in Kicks)
         {
             double measured = kick.Of(Tunnel);
             double published = kick.Of(Scene.Published);
             table.Add(kick.Name, kick.Number, kick.Reported, kick.Reported is null ? null : kick.Within, measured, kick.Verdict(measured), published, kick.Verdict(published), kick.WhyNot);
         }
-
-        return report;
     }
 
     private static Vector3d Landing(Scene scene, double speed, double elevation)
@@ -181,4 +176,16 @@ internal static class KicksLab
 
         return state;
     }
+}
+
+/// <summary>A published number of a kick.</summary>
+/// <param name="Name">The kick.</param>
+/// <param name="Number">The name of the number.</param>
+/// <param name="Reported">The published number; null if none is known.</param>
+/// <param name="Within">The tolerance.</param>
+/// <param name="Of">Computes the number in a scene.</param>
+/// <param name="WhyNot">The known reason for a deviation.</param>
+internal sealed record ReportedKick(string Name, string Number, double? Reported, double Within, Func<Scene, double> Of, string? WhyNot = null)
+{
+    public string? Verdict(double value) => Reported is { } reported ? Math.Abs(value - reported) <= Within ? "met" : "NOT MET" : null;
 }

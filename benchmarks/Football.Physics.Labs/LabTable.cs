@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 using System.Text.Json;
 using Spectre.Console;
 
@@ -12,7 +11,24 @@ internal sealed class LabTable(string name, params string[] columns)
 
     public List<object?[]> Rows { get; } = [];
 
+    /// <summary>False if a row was judged and missed.</summary>
+    public bool Holds { get; private set; } = true;
+
     public void Add(params object?[] cells) => Rows.Add(cells);
+
+    /// <summary>Adds a row that ends with its verdict.</summary>
+    public void Judge(bool holds, params ReadOnlySpan<object?> cells)
+    {
+        Rows.Add([.. cells, Verdict.Of(holds)]);
+        Holds &= holds;
+    }
+
+    /// <summary>Adds a row of a name and a number, with a verdict if one is given.</summary>
+    public void Count(string what, object? number, bool? holds = null)
+    {
+        Add(what, number, holds is { } yes ? Verdict.Of(yes) : null);
+        Holds &= holds ?? true;
+    }
 
     /// <summary>Prints the table for a person.</summary>
     public void Print(IAnsiConsole to)
@@ -33,14 +49,8 @@ internal sealed class LabTable(string name, params string[] columns)
         to.Write(table);
     }
 
-    public void WriteCsv(StringBuilder to)
-    {
-        to.Append(string.Join(',', columns.Prepend("table").Select(Quoted))).Append('\n');
-        foreach (object?[] row in Rows)
-        {
-            to.Append(string.Join(',', row.Select(Exact).Prepend(Name).Select(Quoted))).Append('\n');
-        }
-    }
+    public string Csv() => string.Concat(
+        Rows.Select(row => row.Select(Exact).Prepend(Name)).Prepend(columns.Prepend("table")).Select(row => string.Join(',', row.Select(Quoted)) + "\n"));
 
     public void WriteJson(Utf8JsonWriter json)
     {
@@ -53,21 +63,7 @@ internal sealed class LabTable(string name, params string[] columns)
             for (int i = 0; i < row.Length; i++)
             {
                 json.WritePropertyName(columns[i]);
-                switch (row[i])
-                {
-                    case double number when double.IsFinite(number):
-                        json.WriteNumberValue(number);
-                        break;
-                    case int or long:
-                        json.WriteNumberValue(Convert.ToInt64(row[i], CultureInfo.InvariantCulture));
-                        break;
-                    case null or double:
-                        json.WriteNullValue();
-                        break;
-                    default:
-                        json.WriteStringValue(row[i]!.ToString());
-                        break;
-                }
+                JsonSerializer.Serialize(json, row[i] switch { double number => double.IsFinite(number) ? number : null, int or long => row[i], var other => other?.ToString() });
             }
 
             json.WriteEndObject();
@@ -79,22 +75,22 @@ internal sealed class LabTable(string name, params string[] columns)
 
     private static string Short(object? cell) => cell switch
     {
-        null => "-",
-        double.NaN => "-",
+        null or double.NaN => "-",
         double number => number == 0 ? "0" : Math.Abs(number) is >= 0.01 and < 1e6
             ? number.ToString(Math.Abs(number) >= 1000 ? "0" : Math.Abs(number) >= 10 ? "0.0" : "0.000", CultureInfo.InvariantCulture)
             : number.ToString("0.0e+0", CultureInfo.InvariantCulture),
-        IFormattable other => other.ToString(null, CultureInfo.InvariantCulture),
-        _ => cell.ToString() ?? "",
+        _ => Exact(cell),
     };
 
-    private static string Exact(object? cell) => cell switch
-    {
-        null => "",
-        double number => number.ToString("R", CultureInfo.InvariantCulture),
-        IFormattable other => other.ToString(null, CultureInfo.InvariantCulture),
-        _ => cell.ToString() ?? "",
-    };
+    private static string Exact(object? cell) => cell is double number
+        ? number.ToString("R", CultureInfo.InvariantCulture)
+        : Convert.ToString(cell, CultureInfo.InvariantCulture) ?? "";
 
     private static string Quoted(string text) => text.AsSpan().IndexOfAny(",\"\n") >= 0 ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+}
+
+/// <summary>Reached or missed.</summary>
+internal static class Verdict
+{
+    public static string Of(bool reached) => reached ? "reached" : "MISSED";
 }

@@ -1,5 +1,3 @@
-using FootballPhysics.Tool.Commands;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>Solves the same requests in scenes of both profiles, and counts the kicks found, the flights and the errors.</summary>
@@ -44,18 +42,15 @@ internal static class ProfileAims
         return (hits, (double)simulations / count, most, worst);
     }
 
-    public static LabReport Run(int seed, int count, Progress progress)
+    public static void Run(LabRun run, int count)
     {
-        var table = new LabTable("Kicks of 20 to 30 m/s from 14 to 20 m, to 1 mm, direct", "scene", "requests", "hits", "flights a request", "at most", "worst true miss, mm");
-        var report = new LabReport { Name = "aim", Seed = seed, Tables = { table } };
+        LabTable table = run.Table("Kicks of 20 to 30 m/s from 14 to 20 m, to 1 mm, direct", "scene", "requests", "hits", "flights a request", "at most", "worst true miss, mm");
         foreach ((string name, Scene scene) in Scenes)
         {
-            progress.Report(() => name);
-            (int hits, double simulations, int most, double worst) = Of(scene, seed, count);
+            run.Progress.Report(() => name);
+            (int hits, double simulations, int most, double worst) = Of(scene, unchecked((int)run.Seed), count);
             table.Add(name, count, hits, simulations, most, 1e3 * worst);
-            report.Failed |= hits < count || worst > Tolerance;
+            run.Failed |= hits < count || worst > Tolerance;
         }
-
-        return report;
     }
 }

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Derivatives;
 
@@ -9,31 +8,27 @@ internal static class DerivativesLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> flights = Arguments.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 3);
-        Option<long> step = Arguments.Whole("--step", "Time step in ms.", 1, 20, 10);
-        return LabOptions.Create(
+        var lab = new Lab(
             "derivatives",
             "Derivatives of the end position and time by the launch, compared with central differences: random flights with bounces, posts, nets and slopes.",
-            ["football lab derivatives", "football lab derivatives --flights 2 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), 0.001 * parsed.GetValue(step), progress),
-            flights,
-            step);
+            ["football lab derivatives", "football lab derivatives --flights 2 --seed 7"]);
+        Option<long> flights = lab.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 3);
+        Option<long> step = lab.Whole("--step", "Time step in ms.", 1, 20, 10);
+        return lab.Command(terminal, run => Run(run, run.Int(flights), 0.001 * run.Get(step)));
     }
 
-    private static LabReport Run(long seed, int flights, double timeStep, Progress progress)
+    private static void Run(LabRun run, int flights, double timeStep)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             FormattableString.Invariant($"Derivatives by the launch: error of the largest entry of a block, at RK4 {1000 * timeStep:0} ms"),
             "kind", "flights", "on edge", "uncertain", "impacts", "slides", "nets", "median", "90 %", "worst", "within 1e-6, %", "within 1e-5, %", "verdict");
-        var report = new LabReport { Name = "derivatives", Seed = seed, Tables = { table } };
         foreach (DerivativesKind kind in Enum.GetValues<DerivativesKind>())
         {
             var check = new DerivativesCheck(kind, timeStep);
             for (int i = 0; i < flights; i++)
             {
-                progress.Report(((int)kind * flights) + i, 5 * flights, () => kind.ToString());
-                check.Run(new SeededRandom(SeededRandom.Mix(seed, ((int)kind * 1_000_003) + i)));
+                run.Progress.Report(((int)kind * flights) + i, 5 * flights, () => kind.ToString());
+                check.Run(run.Random(((int)kind * 1_000_003) + i));
             }
 
             double[] errors = [.. check.Errors.Order()];
@@ -45,7 +40,6 @@ internal static class DerivativesLab
                 kind, errors.Length, check.OnEdge, check.Uncertain, Of(BallEventKind.Impact), Of(BallEventKind.Slide), Of(BallEventKind.Net), At(0.5), At(0.9), At(1), within, close, Verdict.Of(within >= 99));
         }
 
-        report.Notes.Add("Not judged are flights on edge (a launch that differs by 2 µm/s, or 20 µrad/s, goes through other events) and uncertain ones (at no width do differences agree with the next wider and narrower to 3e-7). Reached: 99 % are within 1e-6.");
-        return report;
+        run.Notes.Add("Not judged are flights on edge (a launch that differs by 2 µm/s, or 20 µrad/s, goes through other events) and uncertain ones (at no width do differences agree with the next wider and narrower to 3e-7). Reached: 99 % are within 1e-6.");
     }
 }

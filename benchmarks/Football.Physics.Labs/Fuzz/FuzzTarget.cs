@@ -51,3 +51,6 @@ internal abstract class FuzzTarget
         && Math.Abs(state.Orientation.LengthSquared - 1) < 1e-5,
         "a ball is not finite");
 }
+
+/// <summary>Thrown when an input leads to an invalid result.</summary>
+internal sealed class FuzzException(string what) : Exception(what);

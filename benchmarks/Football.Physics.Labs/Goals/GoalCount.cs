@@ -13,34 +13,26 @@ internal sealed class GoalCount
 
     private readonly Trajectory _path = new(1 << 16);
 
-    public int Shots { get; private set; }
+    public const string Shots = "shots";
+    public const string Reported = "reported goals";
 
-    /// <summary>The number of shots with a goal event.</summary>
-    public int Reported { get; private set; }
+    /// <summary>The goals after a hit of the frame or the keeper, and those of a ball that slid or rolled over the line.</summary>
+    public const string Rebounds = "after a post, a bar or a keeper";
+    public const string Carried = "along the ground over the line";
 
-    /// <summary>The number of these that hit the frame or the keeper before.</summary>
-    public int Rebounds { get; private set; }
+    public const string LieIn = "came to rest in a net";
+    public const string LieInUnreported = "came to rest in a net, not reported";
+    public const string Missed = "over the line by the sampled path, not reported";
+    public const string Wrong = "reported, and not by the sampled path, at another time, or twice";
 
-    /// <summary>The number of these that slid or rolled over the line.</summary>
-    public int Carried { get; private set; }
+    /// <summary>The shots that passed the mouth within a micrometre of post or bar, or turned back within a micrometre of the line.</summary>
+    public const string Undecided = "within a micrometre of post or bar, not judged";
 
-    /// <summary>The number of shots that came to rest in a goal with nets.</summary>
-    public int LieIn { get; private set; }
+    /// <summary>The shots not followed to the end: the path had more pieces than the buffer holds.</summary>
+    public const string Cut = "cut short";
 
-    /// <summary>The number of these without the event.</summary>
-    public int LieInUnreported { get; private set; }
-
-    /// <summary>The number of shots over the line of a goal by the sampled path, without the event.</summary>
-    public int Missed { get; private set; }
-
-    /// <summary>The number of shots with the event that were not over the line by the sampled path, at another time, or reported twice.</summary>
-    public int Wrong { get; private set; }
-
-    /// <summary>The number of shots that passed the mouth within a micrometre of post or bar, or turned back within a micrometre of the line.</summary>
-    public int Undecided { get; private set; }
-
-    /// <summary>The number of shots not followed to the end: the path had more pieces than the buffer holds.</summary>
-    public int Cut { get; private set; }
+    /// <summary>The counts by these names.</summary>
+    public LabCounts Counts { get; } = new();
 
     /// <summary>Simulates a shot. Returns true if events and sampled path agree.</summary>
     public bool Add(SeededRandom random)
@@ -50,26 +42,26 @@ internal sealed class GoalCount
         shot.Simulator.LookAhead(in start, new LookAheadRequest { Duration = Longest, TimeStep = shot.TimeStep }, _path);
         var watch = new GoalWatch(shot.Goal, shot.Simulator.Scene.Ball.Radius);
         watch.Follow(_path);
-        Shots++;
-        Cut += _path.IsComplete ? 0 : 1;
-        Undecided += watch.IsUndecided ? 1 : 0;
+        bool decided = !watch.IsUndecided;
+        Counts.Add(Shots);
+        Counts.AddIf(!_path.IsComplete, Cut);
+        Counts.AddIf(!decided, Undecided);
         BallEvent[] events = _path.Events.Span.ToArray();
         BallEvent[] reported = [.. events.Where(item => item.Kind == BallEventKind.Goal)];
         bool lies = shot.Goal.HasNet && _path.Final.Motion == MotionState.Rest && watch.LiesIn(_path.Final.Position);
-        LieIn += lies ? 1 : 0;
-        LieInUnreported += lies && reported.Length == 0 ? 1 : 0;
+        Counts.AddIf(lies, LieIn);
+        Counts.AddIf(lies && reported.Length == 0, LieInUnreported);
         if (reported.Length > 0)
         {
-            Reported++;
-            Rebounds += events.Any(item => item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 && item.Time <= reported[0].Time) ? 1 : 0;
-            Carried += MotionAt(reported[0].Time) is MotionState.Sliding or MotionState.Rolling ? 1 : 0;
+            Counts.Add(Reported);
+            Counts.AddIf(events.Any(item => item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 && item.Time <= reported[0].Time), Rebounds);
+            Counts.AddIf(MotionAt(reported[0].Time) is MotionState.Sliding or MotionState.Rolling, Carried);
         }
 
         bool missed = reported.Length == 0 && watch.Time < double.PositiveInfinity;
         bool wrong = reported.Length > 1 || (reported.Length == 1 && !(Math.Abs(reported[0].Time - watch.Time) <= Closeness));
-        bool decided = !watch.IsUndecided;
-        Missed += missed && decided ? 1 : 0;
-        Wrong += wrong && decided ? 1 : 0;
+        Counts.AddIf(missed && decided, Missed);
+        Counts.AddIf(wrong && decided, Wrong);
         return !decided || !(missed || wrong || (lies && reported.Length == 0));
     }
 

@@ -1,53 +1,38 @@
 using System.CommandLine;
 using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Goals;
 
 /// <summary>football lab goals: checks that every goal is reported, and nothing else.</summary>
 internal static class GoalsLab
 {
+    /// <summary>The rows of the table, and whether they must be 0.</summary>
+    private static readonly (string Row, bool IsFault)[] s_rows =
+    [
+        (GoalCount.Shots, false), (GoalCount.Reported, false), (GoalCount.Rebounds, false), (GoalCount.Carried, false), (GoalCount.LieIn, false), (GoalCount.LieInUnreported, true),
+        (GoalCount.Missed, true), (GoalCount.Wrong, true), (GoalCount.Undecided, false), (GoalCount.Cut, true),
+    ];
+
     public static Command Create(Terminal terminal)
     {
-        Option<long> shots = Arguments.Whole("--shots", "Number of shots.", 1, 100_000_000, 300);
-        return LabOptions.Create(
+        var lab = new Lab(
             "goals",
             "Random shots within 25 m of a goal, with rebounds: the goal event, compared with an independent check of the path.",
-            ["football lab goals", "football lab goals --shots 200 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), progress),
-            shots);
+            ["football lab goals", "football lab goals --shots 200 --seed 7"]);
+        Option<long> shots = lab.Whole("--shots", "Number of shots.", 1, 100_000_000, 300);
+        return lab.Command(terminal, run => Run(run, run.Int(shots)));
     }
 
-    private static LabReport Run(long seed, int shots, Progress progress)
+    private static void Run(LabRun run, int shots)
     {
-        var count = new GoalCount();
-        long first = -1;
-        for (int i = 0; i < shots; i++)
-        {
-            int at = i;
-            progress.Report(i, shots, () => FormattableString.Invariant($"shot {at}"));
-            bool holds = count.Add(new SeededRandom(SeededRandom.Mix(seed, i)));
-            first = !holds && first < 0 ? i : first;
-        }
-
-        var table = new LabTable("Goals", "of the shots", "count", "verdict");
-        table.Add("shots", count.Shots, null);
-        table.Add("reported goals", count.Reported, null);
-        table.Add("after a post, a bar or a keeper", count.Rebounds, null);
-        table.Add("along the ground over the line", count.Carried, null);
-        table.Add("came to rest in a net", count.LieIn, null);
-        table.Add("came to rest in a net, not reported", count.LieInUnreported, Verdict.Of(count.LieInUnreported == 0));
-        table.Add("over the line by the sampled path, not reported", count.Missed, Verdict.Of(count.Missed == 0));
-        table.Add("reported, and not by the sampled path, at another time, or twice", count.Wrong, Verdict.Of(count.Wrong == 0));
-        table.Add("within a micrometre of post or bar, not judged", count.Undecided, null);
-        table.Add("cut short", count.Cut, Verdict.Of(count.Cut == 0));
-        var report = new LabReport { Name = "goals", Seed = seed, Tables = { table }, Failed = first >= 0 };
+        var goals = new GoalCount();
+        int first = -1;
+        run.Each(shots, "shot", (random, i) => first = !goals.Add(random) && first < 0 ? i : first);
+        goals.Counts.AddTo(run.Table("Goals", "of the shots", "count", "verdict"), s_rows);
+        run.Failed = first >= 0;
         if (first >= 0)
         {
-            report.Notes.Add(FormattableString.Invariant($"First wrong result: shot {first}."));
+            run.Notes.Add(FormattableString.Invariant($"First wrong result: shot {first}."));
         }
-
-        return report;
     }
 }

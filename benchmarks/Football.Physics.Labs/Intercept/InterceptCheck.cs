@@ -12,24 +12,18 @@ internal sealed class InterceptCheck(Scene scene)
     private readonly Trajectory _path = new(2048);
     private readonly Interception _interception = new();
 
-    public int Windows { get; private set; }
+    /// <summary>
+    /// The windows; those of the scan that were not found; those that were found although the runner does not reach the ball in their middle; windows and
+    /// gaps that are correct but too short for the scan; and the flights for which the first runner differs from the scan's.
+    /// </summary>
+    public static readonly string[] Columns = ["windows", "lost", "invented", "too short for the scan", "wrong first"];
 
-    /// <summary>Windows of the scan that were not found.</summary>
-    public int Lost { get; private set; }
-
-    /// <summary>Windows that were found although the runner does not reach the ball in their middle.</summary>
-    public int Invented { get; private set; }
-
-    /// <summary>Windows and gaps that are correct but too short for the scan.</summary>
-    public int Short { get; private set; }
-
-    /// <summary>Flights for which the first runner differs from the scan's.</summary>
-    public int WrongFirst { get; private set; }
+    public LabCounts Counts { get; } = new();
 
     /// <summary>The largest error of the start or end of a window, s.</summary>
     public double Worst { get; private set; }
 
-    public bool Holds => Lost + Invented + WrongFirst == 0 && Worst <= 1e-6;
+    public bool Holds => Counts["lost"] + Counts["invented"] + Counts["wrong first"] == 0 && Worst <= 1e-6;
 
     /// <summary>Draws a flight and its runners, and compares their windows with the scan.</summary>
     public void Run(SeededRandom random)
@@ -39,13 +33,7 @@ internal sealed class InterceptCheck(Scene scene)
         BallState ball = _simulator.Launch(new Vector3d(0, random.Chance(0.7) ? 0.11 : random.Uniform(0.11, 2), 0), velocity, spin);
         var request = new LookAheadRequest { Duration = random.Uniform(1.5, 4), TimeStep = TimeStep, StopAt = StopAt.Time };
         _simulator.LookAhead(in ball, request, _path);
-        var runners = new Player[RunnersOfAFlight];
-        for (int i = 0; i < runners.Length; i++)
-        {
-            runners[i] = Draw(random);
-        }
-
-        Compare(runners);
+        Compare([.. Enumerable.Range(0, RunnersOfAFlight).Select(_ => Draw(random))]);
     }
 
     private Player Draw(SeededRandom random)
@@ -76,7 +64,7 @@ internal sealed class InterceptCheck(Scene scene)
         {
             List<(double From, double To)> wanted = scan.Windows(runners[i]);
             List<(double From, double To)> found = Found(i, runners[i], scan, wanted);
-            Windows += found.Count;
+            Counts.Add("windows", found.Count);
 
             // The first window that is right, even if it is too short for the scan.
             ReadOnlySpan<InterceptWindow> own = _interception.WindowsOf(i);
@@ -89,8 +77,8 @@ internal sealed class InterceptCheck(Scene scene)
 
             if (found.Count != wanted.Count)
             {
-                Lost += Math.Max(0, wanted.Count - found.Count);
-                Invented += Math.Max(0, found.Count - wanted.Count);
+                Counts.Add("lost", Math.Max(0, wanted.Count - found.Count));
+                Counts.Add("invented", Math.Max(0, found.Count - wanted.Count));
                 continue;
             }
 
@@ -100,7 +88,7 @@ internal sealed class InterceptCheck(Scene scene)
             }
         }
 
-        WrongFirst += first == _interception.First ? 0 : 1;
+        Counts.AddIf(first != _interception.First, "wrong first");
     }
 
     /// <summary>Returns the windows without windows and gaps that are too short for the scan. Those are checked in their middle: the runner reaches the ball there, or does not.</summary>
@@ -112,19 +100,19 @@ internal sealed class InterceptCheck(Scene scene)
         {
             if (!scan.Meets(runner, 0.5 * (window.From + window.To)))
             {
-                Invented++;
+                Counts.Add("invented");
                 continue;
             }
 
             if (found.Count > 0 && window.From - found[^1].To < Seen
                 && wanted.Any(item => item.From < found[^1].To && item.To > window.From) && !scan.Meets(runner, 0.5 * (window.From + found[^1].To)))
             {
-                Short++;
+                Counts.Add("too short for the scan");
                 found[^1] = (found[^1].From, window.To);
             }
             else if (window.To - window.From < Seen && !wanted.Any(item => item.From <= window.To && item.To >= window.From))
             {
-                Short++;
+                Counts.Add("too short for the scan");
             }
             else
             {

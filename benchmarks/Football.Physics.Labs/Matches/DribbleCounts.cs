@@ -1,6 +1,3 @@
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Counts the positions of the ball while players dribble along paths with turns.</summary>
@@ -9,25 +6,19 @@ internal static class DribbleCounts
     private const int TouchesOfOne = 8;
     private const double Farthest = 1.5;
 
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    public static void Play(LabRun run, int count)
     {
         var simulator = new Simulator();
         var touches = new Touches(spread: new TouchSpread { Draws = 0 });
-        int made = 0;
-        int far = 0;
-        int behind = 0;
-        int lost = 0;
+        var counts = new LabCounts();
         double farthest = 0;
         double chances = 0;
         var misses = new List<double>();
         var paces = new List<double>();
         var log = new StepLog();
         var sure = new Touches();
-        for (int i = 0; i < count; i++)
+        run.Each(count, "dribble", (random, i) =>
         {
-            int at = i;
-            progress.Report(i, count, () => FormattableString.Invariant($"dribble {at}"));
-            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             double pace = random.Uniform(2, 8);
             double angle = random.Uniform(0, 6.28);
             Vector3d player = Vector3d.Zero;
@@ -49,7 +40,7 @@ internal static class DribbleCounts
                 way = Heading(angle);
                 var request = new DribbleRequest { Position = player, Direction = way, RunSpeed = pace, Duration = random.Uniform(0.3, 0.6), Lead = 0.6 };
                 Touch touch = touches.Dribble(in ball, request);
-                made++;
+                counts.Add("touches");
                 misses.Add(touch.Miss);
                 paces.Add(touch.SpeedError);
                 if (k == 1 && i % 10 == 0)
@@ -75,25 +66,20 @@ internal static class DribbleCounts
                 }
             }
 
-            far += isFar ? 1 : 0;
-            behind += isBehind ? 1 : 0;
-            lost += isLost ? 1 : 0;
-        }
-
-        var miss = new Spread([.. misses]);
-        var off = new Spread([.. paces]);
-        var table = new LabTable("Dribbles at 2 to 8 m/s, turns of up to 90°", "of the dribbles", "count", "verdict");
-        table.Add("dribbles", count, null);
-        table.Add("touches", made, null);
-        table.Add("ball farther than 1.5 m from the player", far, Verdict.Of(far == 0));
-        table.Add("ball behind the player", behind, Verdict.Of(behind == 0));
-        table.Add("lost: a touch that did not come off", lost, Verdict.Of(lost == 0));
-        table.Add("farthest that the ball was, m", farthest, null);
-        table.Add("where he wanted it, p95, m", miss.P95, null);
-        table.Add("pace off, mean, m/s", off.Mean, null);
-        table.Add("pace off, p95, m/s", off.P95, null);
-        table.Add("chance of a second touch with errors, mean", chances / Math.Max(1, (count + 9) / 10), null);
-        return (table, far == 0 && behind == 0 && lost == 0);
+            counts.Add("dribbles");
+            counts.AddIf(isFar, "ball farther than 1.5 m from the player");
+            counts.AddIf(isBehind, "ball behind the player");
+            counts.AddIf(isLost, "lost: a touch that did not come off");
+        });
+        var off = new Spread(paces);
+        LabTable table = run.Table("Dribbles at 2 to 8 m/s, turns of up to 90°", "of the dribbles", "count", "verdict");
+        counts.AddTo(
+            table, ("dribbles", false), ("touches", false), ("ball farther than 1.5 m from the player", true), ("ball behind the player", true), ("lost: a touch that did not come off", true));
+        table.Count("farthest that the ball was, m", farthest);
+        table.Count("where he wanted it, p95, m", new Spread(misses).P95);
+        table.Count("pace off, mean, m/s", off.Mean);
+        table.Count("pace off, p95, m/s", off.P95);
+        table.Count("chance of a second touch with errors, mean", chances / Math.Max(1, (count + 9) / 10));
     }
 
     private static Vector3d Heading(double angle) => new(Math.Sin(angle), 0, -Math.Cos(angle));

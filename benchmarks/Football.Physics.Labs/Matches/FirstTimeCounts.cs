@@ -1,6 +1,3 @@
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Counts first-time strikes of moving balls at a target: a predicted hit must also hit in the game.</summary>
@@ -8,24 +5,18 @@ internal static class FirstTimeCounts
 {
     private const double Near = 0.01;
 
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    public static void Play(LabRun run, int count)
     {
         var simulator = new Simulator();
         var touches = new Touches(spread: new TouchSpread { Draws = 0 });
         var sure = new Touches();
         var path = new Trajectory(4096);
-        int said = 0;
-        int wrong = 0;
-        int slow = 0;
-        int outOf = 0;
+        var counts = new LabCounts();
         double worst = 0;
         double chances = 0;
         int requests = 0;
-        for (int i = 0; i < count; i++)
+        run.Each(count, "shot", (random, i) =>
         {
-            int at = i;
-            progress.Report(i, count, () => FormattableString.Invariant($"shot {at}"));
-            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             bool high = random.Chance(0.5);
             Vector3d from = new(random.Uniform(-12, 12), high ? random.Uniform(0.15, 1.2) : 0.11, random.Uniform(8, 24));
             double speed = random.Uniform(0, 15);
@@ -50,30 +41,25 @@ internal static class FirstTimeCounts
 
             if (!touch.Succeeds)
             {
-                slow += touch.Status == TouchStatus.FootTooSlow ? 1 : 0;
-                outOf += touch.Status != TouchStatus.FootTooSlow ? 1 : 0;
-                continue;
+                counts.Add(touch.Status == TouchStatus.FootTooSlow ? "the foot is too slow" : "no touch does");
+                return;
             }
 
             // Simulate in the game's own steps, with the foot itself.
-            said++;
+            counts.Add("said to hit");
             FootStrike strike = touches.Foot.Strike(simulator.Scene.Ball, ball.Velocity, ball.Spin, touch.Strike.FootVelocity, touch.Strike.Normal);
             BallState kicked = ball;
             simulator.Kick(ref kicked, strike.Velocity, strike.Spin);
             simulator.LookAhead(in kicked, new LookAheadRequest { Duration = 5, TimeStep = 1 / 60.0 }, path);
             double miss = (path.ClosestApproach(request.Target).Position - request.Target).Length;
             worst = Math.Max(worst, miss);
-            wrong += miss <= Near ? 0 : 1;
-        }
-
-        var table = new LabTable("First-time shots at balls of up to 15 m/s", "of the shots", "count", "verdict");
-        table.Add("shots", count, null);
-        table.Add("said to hit", said, null);
-        table.Add("said to hit, and more than 1 cm off in the game", wrong, Verdict.Of(wrong == 0));
-        table.Add("worst of those that are said to hit, m", worst, null);
-        table.Add("the foot is too slow", slow, null);
-        table.Add("no touch does", outOf, null);
-        table.Add("chance within half a metre with the foot's errors, mean", chances / Math.Max(1, requests), null);
-        return (table, wrong == 0);
+            counts.AddIf(!(miss <= Near), "said to hit, and more than 1 cm off in the game");
+        });
+        LabTable table = run.Table("First-time shots at balls of up to 15 m/s", "of the shots", "count", "verdict");
+        table.Count("shots", count);
+        counts.AddTo(table, ("said to hit", false), ("said to hit, and more than 1 cm off in the game", true));
+        table.Count("worst of those that are said to hit, m", worst);
+        counts.AddTo(table, ("the foot is too slow", false), ("no touch does", false));
+        table.Count("chance within half a metre with the foot's errors, mean", chances / Math.Max(1, requests));
     }
 }

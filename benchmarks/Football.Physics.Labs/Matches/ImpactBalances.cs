@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
@@ -9,19 +8,18 @@ internal static class ImpactBalances
 {
     private const double Rounding = 1e-12;
 
-    public static (LabTable Table, bool Holds) Table(long seed, long count, Progress progress)
+    public static void Play(LabRun run, long count)
     {
         double worstMomentum = 0;
         double worstAngular = 0;
         double worstGain = double.NegativeInfinity;
         long other = 0;
-        var random = new SeededRandom(SeededRandom.Mix(seed, 77));
+        SeededRandom random = run.Random(77);
         for (long i = 0; i < count; i++)
         {
             if (i % 4096 == 0)
             {
-                long at = i;
-                progress.Report((int)(i / 4096), (int)(count / 4096) + 1, () => FormattableString.Invariant($"impact {at}"));
+                run.Progress.Report(i, count, () => "impacts");
             }
 
             BallProperties ball = Ball(random);
@@ -89,13 +87,12 @@ internal static class ImpactBalances
             worstGain = Math.Max(worstGain, gain);
         }
 
-        var table = new LabTable("Impacts of two balls, and of a ball with what has a mass", "balance, by what came", "worst", "verdict");
-        table.Add("impacts", count, null);
-        table.Add("momentum", worstMomentum, Verdict.Of(worstMomentum <= Rounding));
-        table.Add("angular momentum about the contact", worstAngular, Verdict.Of(worstAngular <= Rounding));
-        table.Add("energy gained", worstGain, Verdict.Of(worstGain <= Rounding));
-        table.Add("an infinite mass that gives other bits than none", other, Verdict.Of(other == 0));
-        return (table, worstMomentum <= Rounding && worstAngular <= Rounding && worstGain <= Rounding && other == 0);
+        LabTable table = run.Table("Impacts of two balls, and of a ball with what has a mass", "balance, by what came", "worst", "verdict");
+        table.Count("impacts", count);
+        table.Count("momentum", worstMomentum, worstMomentum <= Rounding);
+        table.Count("angular momentum about the contact", worstAngular, worstAngular <= Rounding);
+        table.Count("energy gained", worstGain, worstGain <= Rounding);
+        table.Count("an infinite mass that gives other bits than none", other, other == 0);
     }
 
     private static BallProperties Ball(SeededRandom random) => new()

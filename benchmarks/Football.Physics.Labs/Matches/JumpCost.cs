@@ -9,25 +9,25 @@ internal static class JumpCost
     private const int Jumps = 400;
     private const double Most = 1.0; // ms
 
-    public static (LabTable Table, bool Holds) Table(long seed)
+    /// <summary>Adds the table. The run fails for another state, not for a time: the machine may be busy.</summary>
+    public static void Play(LabRun run)
     {
-        var table = new LabTable("Jumps within a recording at 60 Hz, to ticks by lot", "recording", "minutes", "MB", "steps at most", "median ms", "p95 ms", "worst ms", "other states", "verdict");
-        bool holds = Add("a ball on a pitch with goals", seed, players: false, minutes: 90);
-        holds &= Add("a ball among 22 players in curves", seed, players: true, minutes: 3);
-        return (table, holds);
+        LabTable table = run.Table("Jumps within a recording at 60 Hz, to ticks by lot", "recording", "minutes", "MB", "steps at most", "median ms", "p95 ms", "worst ms", "other states", "verdict");
+        Add("a ball on a pitch with goals", players: false, minutes: 90);
+        Add("a ball among 22 players in curves", players: true, minutes: 3);
 
-        bool Add(string name, long seed, bool players, int minutes)
+        void Add(string name, bool players, int minutes)
         {
             FixedStepRunner New()
             {
-                var squad = new Squad(new SeededRandom(SeededRandom.Mix(seed, 3)));
+                var squad = new Squad(run.Random(3));
                 Scene scene = Pitch.Standard.On();
                 return new FixedStepRunner(new Simulator(players ? scene with { Bodies = squad.NewBodies() } : scene), 1 / 60.0) { MoveBodies = players ? squad.Mover() : null };
             }
 
             FixedStepRunner match = New();
             Recording segment = match.Record();
-            var random = new SeededRandom(SeededRandom.Mix(seed, 5));
+            SeededRandom random = run.Random(5);
             int ticks = minutes * 3600;
             while (match.Tick < ticks)
             {
@@ -60,7 +60,7 @@ internal static class JumpCost
 
             Array.Sort(times);
             table.Add(name, minutes, bytes.Length / 1e6, most, times[Jumps / 2], times[(int)(0.95 * Jumps)], times[^1], other, Verdict.Of(other == 0 && times[(int)(0.95 * Jumps)] <= Most));
-            return other == 0;
+            run.Failed |= other > 0;
         }
     }
 }

@@ -1,4 +1,3 @@
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
@@ -25,14 +24,12 @@ internal static class RollbackCounts
     private const int HallWireTicks = 6;
 
     /// <summary>Simulates the matches.</summary>
-    /// <param name="seed">The seed.</param>
+    /// <param name="run">The run that receives the table.</param>
     /// <param name="count">The number of matches with bodies; the other kinds have a quarter each.</param>
-    /// <param name="progress">Receives the progress.</param>
     /// <param name="inHalls">True to add as many matches in a cage with nets, wind and kicks at the goals, rounded to the wire form.</param>
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress, bool inHalls = false)
+    public static void Play(LabRun run, int count, bool inHalls = false)
     {
-        var table = new LabTable("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
-        bool holds = true;
+        LabTable table = run.Table("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
         Kind[] kinds = [Kind.CallbackBodies, Kind.KeptBodies, Kind.CallbackEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
         for (int k = 0; k < kinds.Length; k++)
         {
@@ -45,19 +42,15 @@ internal static class RollbackCounts
             int matches = kinds[k] is Kind.CallbackBodies or Kind.Hall ? count : Math.Max(1, count / 4);
             for (int i = 0; i < matches; i++)
             {
-                int at = i;
                 int kind = k;
-                progress.Report((k * count) + i, kinds.Length * count, () => FormattableString.Invariant($"{Name(kinds[kind])}, match {at}"));
-                Play(kinds[k], new SeededRandom(SeededRandom.Mix(seed, (k * 1_000_003L) + i)), ref runs, ref kicks, ref late, ref apart);
+                run.Progress.Report((k * count) + i, kinds.Length * count, () => Name(kinds[kind]));
+                Play(kinds[k], run.Random((k * 1_000_003L) + i), ref runs, ref kicks, ref late, ref apart);
             }
 
-            holds &= apart == 0;
-            table.Add(Name(kinds[k]), matches, runs, kicks, late, apart, Verdict.Of(apart == 0));
+            table.Judge(apart == 0, Name(kinds[k]), matches, runs, kicks, late, apart);
         }
 
-        bool refused = RefusesUnknown(engine: false) & RefusesUnknown(engine: true);
-        table.Add("nobody says where: refused by name", 2, 2, null, null, null, Verdict.Of(refused));
-        return (table, holds && refused);
+        table.Judge(RefusesUnknown(engine: false) & RefusesUnknown(engine: true), "nobody says where: refused by name", 2, 2, null, null, null);
     }
 
     private static string Name(Kind kind) => kind switch

@@ -18,9 +18,10 @@ internal static class SeveralCost
     private const double Together = 1.2;
     private const double Alone = 1.1;
 
-    public static LabTable Table(long seed)
+    /// <summary>Adds the table. A time is no reason to fail: the machine may be busy.</summary>
+    public static void Play(LabRun run)
     {
-        var table = new LabTable("Fifty balls over a pitch, and one", "balls", "single, ns a step", "together, ns a ball and step", "ratio", "impacts of balls", "verdict");
+        LabTable table = run.Table("Fifty balls over a pitch, and one", "balls", "single, ns a step", "together, ns a ball and step", "ratio", "impacts of balls", "verdict");
         foreach ((string name, int balls, double flying, double most) in new[]
         {
             ("50, half in the air", Balls, 0.5, Together),
@@ -36,12 +37,12 @@ internal static class SeveralCost
             int met = 0;
             for (long start = Stopwatch.GetTimestamp(); Stopwatch.GetElapsedTime(start).TotalSeconds < WarmUp;)
             {
-                Play(simulator, group, Start(simulator, seed, -1, flying), out _, out _);
+                Play(simulator, group, Start(simulator, run.Random(-1), flying), out _, out _);
             }
 
             for (int round = 0; round < Rounds; round++)
             {
-                met += Play(simulator, group, Start(simulator, seed, round, flying), out single[round], out together[round]);
+                met += Play(simulator, group, Start(simulator, run.Random(round), flying), out single[round], out together[round]);
             }
 
             // Use the median of the ratios: both are measured in turns, so that a busy machine slows both.
@@ -50,8 +51,6 @@ internal static class SeveralCost
             bool reached = !(ratio > most);
             table.Add(name, single.Order().ElementAt(Rounds / 2), together.Order().ElementAt(Rounds / 2), ratio, met / 2, double.IsNaN(most) ? null : Verdict.Of(reached));
         }
-
-        return table;
     }
 
     /// <summary>Simulates two seconds of balls, first one by one and then in groups, and measures the time per ball and step, ns.</summary>
@@ -91,19 +90,15 @@ internal static class SeveralCost
         return met;
     }
 
-    private static BallState[] Start(Simulator simulator, long seed, int round, double flying)
-    {
-        var random = new SeededRandom(SeededRandom.Mix(seed, round));
-        return
-        [
-            .. Enumerable.Range(0, Balls).Select(_ =>
-            {
-                bool flies = random.Chance(flying);
-                return simulator.Launch(
-                    new Vector3d(random.Uniform(-52, 52), flies ? random.Uniform(1, 3) : 0.11, random.Uniform(-34, 34)),
-                    new Vector3d(random.Uniform(-12, 12), flies ? random.Uniform(2, 14) : 0, random.Uniform(-12, 12)),
-                    new Vector3d(random.Uniform(-30, 30), random.Uniform(-30, 30), 0));
-            }),
-        ];
-    }
+    private static BallState[] Start(Simulator simulator, SeededRandom random, double flying) =>
+    [
+        .. Enumerable.Range(0, Balls).Select(_ =>
+        {
+            bool flies = random.Chance(flying);
+            return simulator.Launch(
+                new Vector3d(random.Uniform(-52, 52), flies ? random.Uniform(1, 3) : 0.11, random.Uniform(-34, 34)),
+                new Vector3d(random.Uniform(-12, 12), flies ? random.Uniform(2, 14) : 0, random.Uniform(-12, 12)),
+                new Vector3d(random.Uniform(-30, 30), random.Uniform(-30, 30), 0));
+        }),
+    ];
 }

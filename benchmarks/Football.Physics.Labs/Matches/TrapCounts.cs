@@ -1,6 +1,3 @@
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Counts balls that a player traps, and their speed relative to him afterwards.</summary>
@@ -8,7 +5,7 @@ internal static class TrapCounts
 {
     private const double Dead = 0.3;
 
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    public static void Play(LabRun run, int count)
     {
         var simulator = new Simulator();
         var touches = new Touches(spread: new TouchSpread { Draws = 0 });
@@ -20,11 +17,8 @@ internal static class TrapCounts
         var after = new List<double>();
         var settled = new List<double>();
         var away = new List<double>();
-        for (int i = 0; i < count; i++)
+        run.Each(count, "trap", (random, i) =>
         {
-            int at = i;
-            progress.Report(i, count, () => FormattableString.Invariant($"trap {at}"));
-            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             bool high = random.Chance(0.4);
             double angle = random.Uniform(0, 6.28);
             Vector3d velocity = random.Uniform(2, 15) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
@@ -53,20 +47,16 @@ internal static class TrapCounts
             away.Add(touch.Miss);
             alive += off < Dead ? 0 : 1;
             unsaid += off >= Dead && touch.Succeeds ? 1 : 0;
-        }
-
-        var first = new Spread([.. after]);
-        var then = new Spread([.. settled]);
-        var gone = new Spread([.. away]);
-        var table = new LabTable("Traps of balls of up to 15 m/s, in the air and on the ground, of a player who stands or runs", "of the traps", "count", "verdict");
-        table.Add("traps", count, null);
-        table.Add("ball faster than 0.3 m/s against the player, settled", alive, Verdict.Of(alive == 0));
-        table.Add("the same, and not said", unsaid, Verdict.Of(unsaid == 0));
-        table.Add("speed against him just after the touch, p95, m/s", first.P95, null);
-        table.Add("speed settled, p95, m/s", then.P95, null);
-        table.Add("speed settled, worst, m/s", then.Worst, null);
-        table.Add("gone from him meanwhile, p95, m", gone.P95, null);
-        table.Add("chance of 1 m/s or less with the foot's errors, mean", chances / Math.Max(1, requests), null);
-        return (table, alive == 0 && unsaid == 0);
+        });
+        var then = new Spread(settled);
+        LabTable table = run.Table("Traps of balls of up to 15 m/s, in the air and on the ground, of a player who stands or runs", "of the traps", "count", "verdict");
+        table.Count("traps", count);
+        table.Count("ball faster than 0.3 m/s against the player, settled", alive, alive == 0);
+        table.Count("the same, and not said", unsaid, unsaid == 0);
+        table.Count("speed against him just after the touch, p95, m/s", new Spread(after).P95);
+        table.Count("speed settled, p95, m/s", then.P95);
+        table.Count("speed settled, worst, m/s", then.Worst);
+        table.Count("gone from him meanwhile, p95, m", new Spread(away).P95);
+        table.Count("chance of 1 m/s or less with the foot's errors, mean", chances / Math.Max(1, requests));
     }
 }

@@ -10,26 +10,23 @@ internal static class ObstacleCost
     private const int Steps = 60;
     private const int Balls = 64;
 
-    /// <summary>Returns the table: objects of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
-    public static LabTable Table(long seed, bool quick)
+    /// <summary>Adds the table: objects of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
+    public static void Measure(LabRun run, bool quick)
     {
-        var table = new LabTable("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "over them, times", "among them", "among them, times", "hits a flight");
+        LabTable table = run.Table("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "over them, times", "among them", "among them, times", "hits a flight");
         double empty = 0;
         foreach (int count in (int[])[0, 1, 10, 100, 1000])
         {
-            Simulator simulator = WithPosts(seed, count);
-            (double high, _) = Time(simulator, seed, 8, quick ? 3 : 40);
-            (double low, double hits) = Time(simulator, seed, 1, quick ? 3 : 40);
+            Simulator simulator = WithPosts(run.Random(7), count);
+            (double high, _) = Time(simulator, run.Random(11), 8, quick ? 3 : 40);
+            (double low, double hits) = Time(simulator, run.Random(11), 1, quick ? 3 : 40);
             empty = count == 0 ? high : empty;
             table.Add(count, high, high / empty, low, low / empty, hits);
         }
-
-        return table;
     }
 
-    private static Simulator WithPosts(long seed, int count)
+    private static Simulator WithPosts(SeededRandom random, int count)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 7));
         Obstacle[] posts = [.. Enumerable.Range(0, count).Select(_ =>
         {
             var foot = new Vector3d(random.Uniform(-34, 34), 0, random.Uniform(-52, 52));
@@ -39,9 +36,8 @@ internal static class ObstacleCost
     }
 
     /// <summary>Returns the least time of a step over several rounds, ns, and the hits per flight.</summary>
-    private static (double Nanoseconds, double Hits) Time(Simulator simulator, long seed, double height, int rounds)
+    private static (double Nanoseconds, double Hits) Time(Simulator simulator, SeededRandom random, double height, int rounds)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 11));
         BallState[] launched = [.. Enumerable.Range(0, Balls).Select(_ =>
         {
             Vector3d velocity = random.Velocity(15, 28, 5, 15);
@@ -70,5 +66,35 @@ internal static class ObstacleCost
         }
 
         return (best / (Balls * Steps), (double)hits / Balls);
+    }
+}
+
+/// <summary>Drops on a board in vacuum.</summary>
+internal static class BoardDrops
+{
+    private const double Radius = 0.11;
+
+    /// <summary>Returns the least and the greatest measured restitution.</summary>
+    /// <param name="step">The time step, s.</param>
+    /// <param name="drops">The number of heights.</param>
+    public static (double Least, double Greatest) Measure(double step, int drops)
+    {
+        var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.1, 1)), Surface = SurfaceMaterial.PublishedGoalFrame with { NormalRestitution = 0.6 } };
+        var simulator = new Simulator(Scene.Vacuum with { Obstacles = [board], Ground = Ground.None });
+        double least = double.PositiveInfinity;
+        double greatest = 0;
+        for (int i = 0; i <= drops; i++)
+        {
+            double height = 0.5 + ((double)i / drops);
+            BallState state = simulator.Launch(new Vector3d(0, 1.1 + Radius + height, 0), Vector3d.Zero, Vector3d.Zero);
+            var path = new Trajectory();
+            simulator.LookAhead(in state, new LookAheadRequest { Duration = 1, TimeStep = step, StopAt = StopAt.Impact }, path);
+            simulator.LookAhead(path.Final, new LookAheadRequest { Duration = 1, TimeStep = step, StopAt = StopAt.Impact }, path);
+            double restitution = Math.Sqrt((path.Apex - 1.1 - Radius) / height);
+            least = Math.Min(least, restitution);
+            greatest = Math.Max(greatest, restitution);
+        }
+
+        return (least, greatest);
     }
 }

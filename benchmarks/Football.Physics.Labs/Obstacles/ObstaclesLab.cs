@@ -14,55 +14,45 @@ internal static class ObstaclesLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<bool> quick = LabOptions.Quick();
-        return LabOptions.Create(
+        var lab = new Lab(
             "obstacles",
             "Obstacles compared with a rigid-body engine: cost by their number, shots that tunnel through a post, and the error of a rebound.",
-            ["football lab obstacles --quick"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),
-            quick);
+            ["football lab obstacles --quick"]);
+        Option<bool> quick = lab.Quick();
+        return lab.Command(terminal, run => Run(run, run.Get(quick)));
     }
 
-    /// <summary>Runs all measurements.</summary>
-    /// <param name="seed">Seed of the shots.</param>
-    /// <param name="quick">True for a small sample.</param>
-    /// <param name="progress">Receives the progress.</param>
-    public static LabReport Run(long seed, bool quick, Progress progress)
+    private static void Run(LabRun run, bool quick)
     {
         int shots = quick ? Shots / 20 : Shots;
-        var report = new LabReport { Name = "obstacles", Seed = seed };
-        progress.Report(0, 3, () => "cost");
-        report.Tables.Add(ObstacleCost.Table(seed, quick));
-        progress.Report(1, 3, () => "a post");
-        var passing = new LabTable(
+        run.Progress.Report(0, 3, () => "cost");
+        ObstacleCost.Measure(run, quick);
+        run.Progress.Report(1, 3, () => "a post");
+        LabTable passing = run.Table(
             $"{shots} shots at a post of 6 cm radius: passed through, and how far off the direction of the rebound is, mean and worst, degrees",
             "speed, m/s", "step, ms", "engine: passed", "engine: mean", "engine: worst", "here: passed", "here: mean", "here: worst", "verdict");
         foreach (double speed in s_speeds)
         {
             foreach (double step in s_steps)
             {
-                PostShots engine = PostShots.ByEngine(seed, shots, speed, step);
-                PostShots here = PostShots.Here(seed, shots, speed, step);
+                PostShots engine = PostShots.ByEngine(run.Random(13), shots, speed, step);
+                PostShots here = PostShots.Here(run.Random(13), shots, speed, step);
                 bool holds = here.Passed == 0 && here.Worst < 1e-5;
-                report.Failed |= !holds;
+                run.Failed |= !holds;
                 passing.Add(speed, 1e3 * step, $"{100.0 * engine.Passed / shots:0.0} %", engine.Mean, engine.Worst, $"{100.0 * here.Passed / shots:0.0} %", here.Mean, here.Worst, holds ? "holds" : "FAILED");
             }
         }
 
-        report.Tables.Add(passing);
-        progress.Report(2, 3, () => "drops");
-        var drops = new LabTable("Drops from 0.5 to 1.5 m on a board of restitution 0.6: the restitution that comes out, √(height after/height before)", "step, ms", "engine: least", "engine: greatest", "here: least", "here: greatest", "verdict");
+        run.Progress.Report(2, 3, () => "drops");
+        LabTable drops = run.Table("Drops from 0.5 to 1.5 m on a board of restitution 0.6: the restitution that comes out, √(height after/height before)", "step, ms", "engine: least", "engine: greatest", "here: least", "here: greatest", "verdict");
         foreach (RigidBodyRebound engine in RigidBodyEngineReport.Measure().Rebounds)
         {
             (double least, double greatest) = BoardDrops.Measure(engine.TimeStep, quick ? 20 : 200);
             bool holds = least > 0.6 - 1e-9 && greatest < 0.6 + 1e-9;
-            report.Failed |= !holds;
+            run.Failed |= !holds;
             drops.Add(1e3 * engine.TimeStep, engine.Least, engine.Greatest, least, greatest, holds ? "holds" : "FAILED");
         }
 
-        report.Tables.Add(drops);
-        report.Notes.Add("The engine's method: symplectic Euler; it finds contacts at the ball's position at the end of a frame, and pushes out and resolves them there. The test is in vacuum, without friction, so that only the time and position of the contact matter.");
-        return report;
+        run.Notes.Add("The engine's method: symplectic Euler; it finds contacts at the ball's position at the end of a frame, and pushes out and resolves them there. The test is in vacuum, without friction, so that only the time and position of the contact matter.");
     }
 }

@@ -20,10 +20,10 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
     private static readonly Vector3d s_post = new(0, 0, -Away);
 
     /// <summary>Shoots with the method of a rigid-body engine.</summary>
-    public static PostShots ByEngine(long seed, int shots, double speed, double step) => Measure(seed, shots, speed, (from, velocity) => EngineShot(from, velocity, step));
+    public static PostShots ByEngine(SeededRandom random, int shots, double speed, double step) => Measure(random, shots, speed, (from, velocity) => EngineShot(from, velocity, step));
 
     /// <summary>Shoots with the library.</summary>
-    public static PostShots Here(long seed, int shots, double speed, double step)
+    public static PostShots Here(SeededRandom random, int shots, double speed, double step)
     {
         var post = new Obstacle
         {
@@ -32,7 +32,7 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
         };
         var simulator = new Simulator(Scene.Vacuum with { Obstacles = [post], Ground = Ground.None, Gravity = 0 });
         var log = new StepLog();
-        return Measure(seed, shots, speed, (from, velocity) =>
+        return Measure(random, shots, speed, (from, velocity) =>
         {
             BallState state = simulator.Launch(from, velocity, Vector3d.Zero);
             log.Clear();
@@ -45,9 +45,8 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
         });
     }
 
-    private static PostShots Measure(long seed, int shots, double speed, Func<Vector3d, Vector3d, Vector3d> play)
+    private static PostShots Measure(SeededRandom random, int shots, double speed, Func<Vector3d, Vector3d, Vector3d> play)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 13));
         int passed = 0;
         double sum = 0;
         double worst = 0;

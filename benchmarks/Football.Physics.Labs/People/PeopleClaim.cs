@@ -51,15 +51,15 @@ internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Cou
     }
 
     /// <summary>Adds its row.</summary>
-    public void Report(LabTable table, LabReport report)
+    public void Report(LabTable table, LabRun run)
     {
         table.Add(
             what, Of, parts.HasFlag(ClaimParts.Count) ? Count : null, parts.HasFlag(ClaimParts.Worst) ? Worst : null,
             parts.HasFlag(ClaimParts.Verdict) ? Verdict.Of(Holds) : null);
-        report.Failed |= !Holds;
+        run.Failed |= !Holds;
         if (_at.Length > 0 && (!Holds || !parts.HasFlag(ClaimParts.Verdict)))
         {
-            report.Notes.Add(FormattableString.Invariant($"{what}: {_at}"));
+            run.Notes.Add(FormattableString.Invariant($"{what}: {_at}"));
         }
     }
 }

@@ -1,11 +1,10 @@
 using System.CommandLine;
-using System.Globalization;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.People;
 
 /// <summary>football lab people: a ball among players, boards, posts and nets, two of them at a time.</summary>
-internal static class PeopleLab
+internal sealed class PeopleLab(LabRun run)
 {
     private const long Most = 1_000_000;
 
@@ -15,135 +14,102 @@ internal static class PeopleLab
     /// <summary>The seed of the warm-up cases, which no measured case uses.</summary>
     private const long WarmUpSeed = -1;
 
-    private static readonly PressKind[] s_kinds = Enum.GetValues<PressKind>();
+    private readonly LabTable _steps = run.Table("Steps", "of the balls", "how many", "steps", "most events", "most evaluations", "slowest step, ms", "steps > 1 ms", "bytes", "verdict");
+    private readonly LabTable _claims = run.Table("Claims", "what", "of", "count", "worst", "verdict");
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> matches = Arguments.Whole("--matches", "Matches in a closed stadium.", 0, Most, 1);
-        Option<long> seconds = Arguments.Whole("--seconds", "Length of a match in s.", 1, Most, 60);
-        Option<long> presses = Arguments.Whole("--presses", "Balls pressed against boards, into corners, against posts, into nets.", 0, Most, 60);
-        Option<long> pinches = Arguments.Whole("--pinches", "Balls that two players squeeze.", 0, Most, 60);
-        Option<long> meetings = Arguments.Whole("--meetings", "Balls on open ground that one body runs into.", 0, Most, 60);
-        Option<long> hits = Arguments.Whole("--hits", "Flat kicks into the edge of board and ground.", 0, Most, 60);
-        return LabOptions.Create(
+        var lab = new Lab(
             "people",
             "A ball among players, boards, posts and nets: no penetration of static objects, no gain of speed, bounded cost of a step.",
             [
                 "football lab people",
                 "football lab people --matches 30 --seconds 600 --presses 3000 --pinches 3000 --meetings 3000 --hits 3000",
-            ],
-            terminal,
-            (parsed, seed, progress) =>
+            ]);
+        Option<long> matches = lab.Whole("--matches", "Matches in a closed stadium.", 0, Most, 1);
+        Option<long> seconds = lab.Whole("--seconds", "Length of a match in s.", 1, Most, 60);
+        Option<long> presses = lab.Whole("--presses", "Balls pressed against boards, into corners, against posts, into nets.", 0, Most, 60);
+        Option<long> pinches = lab.Whole("--pinches", "Balls that two players squeeze.", 0, Most, 60);
+        Option<long> meetings = lab.Whole("--meetings", "Balls on open ground that one body runs into.", 0, Most, 60);
+        Option<long> hits = lab.Whole("--hits", "Flat kicks into the edge of board and ground.", 0, Most, 60);
+        return lab.Command(terminal, run =>
+        {
+            var play = new PeopleLab(run);
+            PressKind[] kinds = Enum.GetValues<PressKind>();
+            foreach (PressKind kind in kinds)
             {
-                var play = new Plays(seed, progress);
-                return play.Run(
-                    (int)parsed.GetValue(matches), parsed.GetValue(seconds), (int)parsed.GetValue(presses), (int)parsed.GetValue(pinches), (int)parsed.GetValue(meetings),
-                    (int)parsed.GetValue(hits));
-            },
-            matches,
-            seconds,
-            presses,
-            pinches,
-            meetings,
-            hits);
+                play.Each("press", run.Int(presses), () => new Presses(kind), kinds.Length);
+            }
+
+            play.Each("pinch", run.Int(pinches), () => new Pinches());
+            play.Each("meeting", run.Int(meetings), () => new Meetings());
+            play.Each("hit", run.Int(hits), () => new FlatHits());
+            play.Match(run.Int(matches), run.Get(seconds));
+        });
     }
 
-    /// <summary>One run of the programs.</summary>
-    private sealed class Plays(long seed, Progress progress)
+    private void Match(int count, double seconds)
     {
-        private readonly LabTable _steps = new("Steps", "of the balls", "how many", "steps", "most events", "most evaluations", "slowest step, ms", "steps > 1 ms", "bytes", "verdict");
-        private readonly LabTable _claims = new("Claims", "what", "of", "count", "worst", "verdict");
-        private readonly LabReport _report = new() { Name = "people", Seed = seed };
-
-        public LabReport Run(int matches, double seconds, int presses, int pinches, int meetings, int hits)
+        if (count == 0)
         {
-            foreach (PressKind kind in presses > 0 ? s_kinds : [])
-            {
-                Each("press", presses / s_kinds.Length, () => new Presses(kind));
-            }
-
-            if (pinches > 0)
-            {
-                Each("pinch", pinches, () => new Pinches());
-            }
-
-            if (meetings > 0)
-            {
-                Each("meeting", meetings, () => new Meetings());
-            }
-
-            if (hits > 0)
-            {
-                Each("hit", hits, () => new FlatHits());
-            }
-
-            if (matches > 0)
-            {
-                Match(matches, seconds);
-            }
-
-            _report.Tables.AddRange([_steps, _claims]);
-            return _report;
+            return;
         }
 
-        private void Match(int count, double seconds)
+        var matches = new StadiumMatches();
+        new StadiumMatches().Play(WarmUpSeed, 0, Math.Min(seconds, WarmUps), _ => { });
+        for (int i = 0; i < count; i++)
         {
-            var matches = new StadiumMatches();
-            new StadiumMatches().Play(WarmUpSeed, 0, Math.Min(seconds, WarmUps), _ => { });
-            for (int i = 0; i < count; i++)
-            {
-                int index = i;
-                matches.Play(seed, i, seconds, time => progress.Report(
-                    (long)((index * seconds) + time), (long)(count * seconds), () => string.Create(CultureInfo.InvariantCulture, $"match {index}, {time:0} s")));
-            }
-
-            Report(matches);
+            int index = i;
+            matches.Play(run.Seed, i, seconds, time => run.Progress.Report((index * seconds) + time, count * seconds, () => FormattableString.Invariant($"match {index}, {time:0} s")));
         }
 
-        /// <summary>Simulates warm-up cases, and then the measured ones.</summary>
-        private void Each(string name, int count, Func<PeopleCases> make)
+        Report(matches);
+    }
+
+    /// <summary>Simulates warm-up cases, and then the measured ones.</summary>
+    private void Each(string name, int wanted, Func<PeopleCases> make, int kinds = 1)
+    {
+        if (wanted == 0)
         {
-            PeopleCases warmUp = make();
-            PeopleCases cases = make();
-            for (int i = 0; i < Math.Min(count, WarmUps); i++)
-            {
-                warmUp.Play(WarmUpSeed, i);
-            }
-
-            for (int i = 0; i < count; i++)
-            {
-                int index = i;
-                progress.Report(i, count, () => FormattableString.Invariant($"{name} {index}"));
-                cases.Play(seed, i);
-            }
-
-            Report(cases);
+            return;
         }
 
-        private void Report(PeopleCases cases)
+        PeopleCases warmUp = make();
+        PeopleCases cases = make();
+        int count = wanted / kinds;
+        for (int i = 0; i < Math.Min(count, WarmUps); i++)
         {
-            StepMeter meter = cases.Meter;
-            string name = cases.Name;
-            bool holds = meter.MostEvents <= StepMeter.MostAllowed && meter.Bytes == 0;
-            _steps.Add(name, cases.Cases, meter.Steps, meter.MostEvents, meter.MostEvaluations, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
+            warmUp.Play(WarmUpSeed, i);
+        }
 
-            // The run does not fail for a time: the machine may be busy.
-            _report.Failed |= !holds;
-            if (meter.MostEvents > StepMeter.MostAllowed)
-            {
-                _report.Notes.Add(FormattableString.Invariant($"{name}: {meter.MostEvents} events, {meter.MostEventsAt}"));
-            }
+        run.Each(count, name, (_, i) => cases.Play(run.Seed, i));
+        Report(cases);
+    }
 
-            if (meter.Slow > 0)
-            {
-                _report.Notes.Add(FormattableString.Invariant($"{name}: {meter.MostEvaluations} evaluations, {meter.MostEvaluationsAt}"));
-                _report.Notes.Add(FormattableString.Invariant($"{name}: {1000 * meter.Slowest:0.00} ms, {meter.SlowestAt}"));
-            }
+    private void Report(PeopleCases cases)
+    {
+        StepMeter meter = cases.Meter;
+        string name = cases.Name;
+        bool holds = meter.Events.Most <= StepMeter.MostAllowed && meter.Bytes == 0;
+        _steps.Add(
+            name, cases.Cases, meter.Steps, meter.Events.Most, meter.Evaluations.Most, 1000 * meter.Slowest.Most, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
 
-            foreach (PeopleClaim claim in cases.Claims)
-            {
-                claim.Report(_claims, _report);
-            }
+        // The run does not fail for a time: the machine may be busy.
+        run.Failed |= !holds;
+        if (meter.Events.Most > StepMeter.MostAllowed)
+        {
+            run.Notes.Add(FormattableString.Invariant($"{name}: {meter.Events.Most} events, {meter.Events.At}"));
+        }
+
+        if (meter.Slow > 0)
+        {
+            run.Notes.Add(FormattableString.Invariant($"{name}: {meter.Evaluations.Most} evaluations, {meter.Evaluations.At}"));
+            run.Notes.Add(FormattableString.Invariant($"{name}: {1000 * meter.Slowest.Most:0.00} ms, {meter.Slowest.At}"));
+        }
+
+        foreach (PeopleClaim claim in cases.Claims)
+        {
+            claim.Report(_claims, run);
         }
     }
 }

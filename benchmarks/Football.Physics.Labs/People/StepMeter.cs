@@ -20,7 +20,7 @@ internal sealed class StepMeter
     public long Steps { get; private set; }
 
     /// <summary>The slowest step, best of three from the same state, s.</summary>
-    public double Slowest { get; private set; }
+    public Peak<double, FormattableString> Slowest { get; } = new($"");
 
     /// <summary>The number of steps that took longer than a millisecond.</summary>
     public long Slow { get; private set; }
@@ -28,19 +28,10 @@ internal sealed class StepMeter
     /// <summary>The number of bytes that all steps allocated.</summary>
     public long Bytes { get; private set; }
 
-    public int MostEvents { get; private set; }
+    public Peak<int, FormattableString> Events { get; } = new($"");
 
     /// <summary>The largest number of evaluations of the right-hand side in a step: its work, independent of other programs.</summary>
-    public long MostEvaluations { get; private set; }
-
-    /// <summary>The step with the most evaluations.</summary>
-    public string MostEvaluationsAt { get; private set; } = "";
-
-    /// <summary>The step with the most events.</summary>
-    public string MostEventsAt { get; private set; } = "";
-
-    /// <summary>The slowest step.</summary>
-    public string SlowestAt { get; private set; } = "";
+    public Peak<long, FormattableString> Evaluations { get; } = new($"");
 
     /// <summary>Runs one step.</summary>
     public void Step(Ball ball, double duration, FormattableString at)
@@ -60,24 +51,10 @@ internal sealed class StepMeter
             took = Math.Min(took, Stopwatch.GetElapsedTime(began).TotalSeconds);
         }
 
-        if (ball.Evaluations > MostEvaluations)
-        {
-            MostEvaluations = ball.Evaluations;
-            MostEvaluationsAt = FormattableString.Invariant(at);
-        }
-
         Steps++;
         Slow += took > Longest ? 1 : 0;
-        if (took > Slowest)
-        {
-            Slowest = took;
-            SlowestAt = FormattableString.Invariant(at);
-        }
-
-        if (ball.Events.Count > MostEvents)
-        {
-            MostEvents = ball.Events.Count;
-            MostEventsAt = FormattableString.Invariant(at);
-        }
+        Slowest.See(took, at);
+        Evaluations.See(ball.Evaluations, at);
+        Events.See(ball.Events.Count, at);
     }
 }

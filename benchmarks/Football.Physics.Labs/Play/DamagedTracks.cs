@@ -23,11 +23,8 @@ internal sealed class DamagedTracks
     /// <summary>The number of files that were read and that the fit rejected.</summary>
     public int NotFitted { get; private set; }
 
-    /// <summary>The longest processor time that a file took, s.</summary>
-    public double Slowest { get; private set; }
-
-    /// <summary>The index of that file, from 0.</summary>
-    public int SlowestFile { get; private set; }
+    /// <summary>The longest processor time that a file took, s, and the index of that file, from 0.</summary>
+    public Peak<double, int> Slowest { get; } = new(0);
 
     /// <summary>The faults that were found.</summary>
     public List<string> Faults { get; } = [];
@@ -51,13 +48,7 @@ internal sealed class DamagedTracks
             Faults.Add($"{fault.GetType().Name}: {fault.Message} {fault.StackTrace?.Split('\n')[0].Trim()}");
         }
 
-        double took = Environment.CpuUsage.UserTime.TotalSeconds - start;
-        if (took > Slowest)
-        {
-            (Slowest, SlowestFile) = (took, _files);
-        }
-
-        _files++;
+        Slowest.See(Environment.CpuUsage.UserTime.TotalSeconds - start, _files++);
     }
 
     private TrackPoint[]? Read(byte[] file, TrackFormat format)

@@ -21,31 +21,14 @@ internal sealed class SyntheticCheck
 
     private const double One = 1.96;
 
-    public int Flights { get; private set; }
-
-    public int FlightsFound { get; private set; }
-
-    public int Impacts { get; private set; }
-
-    public int ImpactsFound { get; private set; }
-
-    public int Launches { get; private set; }
-
-    public int LaunchesWithin { get; private set; }
-
-    /// <summary>The numbers of the track's fit, and those within 1.96 standard deviations.</summary>
-    public int Numbers { get; private set; }
-
-    public int NumbersWithin { get; private set; }
+    /// <summary>Pairs of counts: flights and those found, impacts, launches and those within the uncertainty, numbers of the track's fit and those within 1.96 standard deviations.</summary>
+    public LabCounts Counts { get; } = new();
 
     public double Squares { get; private set; }
-
-    public int Matches { get; private set; }
 
     public void Run(SyntheticMatch match)
     {
         MatchFitResult fit = new MatchFit(SyntheticMatch.Known).Find([.. match.Seen], new MatchFitRequest { Crisis = false });
-        Matches++;
         Squares += fit.Rms * fit.Rms;
         CountFlights(match, fit);
         CountNumbers(match, fit);
@@ -71,20 +54,20 @@ internal sealed class SyntheticCheck
                 continue;
             }
 
-            Flights++;
+            Counts.Add("flights");
             MatchPiece? found = Array.Find(flights, piece => Math.Min(piece.EndTime + Frame, time) - Math.Max(piece.StartTime - Frame, first) > Overlap * (Math.Max(piece.EndTime, time) - Math.Min(piece.StartTime, first)));
-            FlightsFound += found is null ? 0 : 1;
+            Counts.AddIf(found is not null, "flights found");
             if (impact && time < match.Truth[^1].Time)
             {
-                Impacts++;
-                ImpactsFound += fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.StartTime - time) < EventError) ? 1 : 0;
+                Counts.Add("impacts");
+                Counts.AddIf(fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.StartTime - time) < EventError), "impacts found");
             }
 
             if (found is not null)
             {
                 (Vector3d velocity, Vector3d spin) = TruthAt(match, found.StartTime, first);
-                Launches++;
-                LaunchesWithin += IsWithin(velocity - found.Velocity, found.VelocityDeviation) && IsWithin(spin - found.Spin, found.SpinDeviation) ? 1 : 0;
+                Counts.Add("launches");
+                Counts.AddIf(IsWithin(velocity - found.Velocity, found.VelocityDeviation) && IsWithin(spin - found.Spin, found.SpinDeviation), "launches within");
             }
         }
     }
@@ -112,8 +95,8 @@ internal sealed class SyntheticCheck
             };
             if (truth is { } number)
             {
-                Numbers++;
-                NumbersWithin += Math.Abs(fit.Value(i) - number) <= One * fit.StandardError(i) ? 1 : 0;
+                Counts.Add("numbers");
+                Counts.AddIf(Math.Abs(fit.Value(i) - number) <= One * fit.StandardError(i), "numbers within");
             }
         }
     }

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
@@ -22,28 +21,24 @@ internal static class CameraLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> flights = Arguments.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 4);
-        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor.");
-        return LabOptions.Create(
+        var lab = new Lab(
             "camera",
             "Fits of pixels from fixed cameras (25 m up, 60 m aside, 1920 × 1080 pixels, focal length 3000 pixels, 50 Hz, noise of 1 pixel): errors in space and of the spin.",
-            ["football lab camera --flights 2 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), (int)parsed.GetValue(jobs), progress),
-            flights,
-            jobs);
+            ["football lab camera --flights 2 --seed 7"]);
+        Option<long> flights = lab.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 4);
+        Option<long> jobs = lab.Jobs("Threads; default: one per processor.");
+        return lab.Command(terminal, run => Run(run, run.Int(flights), run.Int(jobs)));
     }
 
-    private static LabReport Run(long seed, int flights, int jobs, Progress progress)
+    private static void Run(LabRun run, int flights, int jobs)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "Fits of pixels", "cameras", "flights", "rms, cm", "bound, cm", "spin within 15 rad/s, %", "depth given, %", "of these: rms, cm", "bound, cm ",
             "spin along velocity given, %", "given and off by 4 σ, %", "said to be doubtful, %", "worse than the truth", "verdict");
-        var limits = new LabTable("By what the pixels contain", "cameras", "bounce seen", "flights", "rms, cm", "bound, cm", "depth given, %", "of these: rms, cm", "bound, cm ");
-        var report = new LabReport { Name = "camera", Seed = seed, Tables = { table, limits } };
+        LabTable limits = run.Table("By what the pixels contain", "cameras", "bounce seen", "flights", "rms, cm", "bound, cm", "depth given, %", "of these: rms, cm", "bound, cm ");
         foreach (Kind kind in s_kinds)
         {
-            CameraFlight[] all = Fly(kind, seed, flights, jobs, progress);
+            CameraFlight[] all = run.Parallel(flights, jobs, kind.Name, i => kind.Check.Run(run.Random(i)));
             double Share(Func<CameraFlight, bool> holds) => 100.0 * all.Count(holds) / all.Length;
             CameraFlight[] given = [.. all.Where(flight => flight.IsGood)];
             double rms = 100 * CameraFlight.Rms(given);
@@ -65,28 +60,10 @@ internal static class CameraLab
             }
         }
 
-        report.Notes.Add("Kicks from the ground: 14 to 28 m/s, 8 to 35° up, any azimuth, a spin of up to 60 rad/s about any axis, from 6 to 12 m before the centre of the image. In play: from 0.3 to 2.2 m up, 10 to 26 m/s, -5 to 35°. All bounces count that come before the ball leaves the image, or 3 s are over.");
-        report.Notes.Add("Reached: where a fit gives the depth, the rms is at most 10 cm with one camera and 3 cm with two; and the spin of all flights is within 15 rad/s in 90 %.");
-        report.Notes.Add("Bound: the rms of the best unbiased fit (Cramér and Rao), from derivatives at the true launch, with the prior knowledge that the fit has. A fit can be below it, because no launch is below the ground.");
-        report.Notes.Add("A fit lists what its pixels do not reveal. The doubtful fits say so by their verdict. Worse than the truth: the number of fits with a higher cost than the true launch, which are other minima.");
-        return report;
-    }
-
-    /// <summary>Runs the flights of a kind. Each has a seed of its own, independent of the thread.</summary>
-    private static CameraFlight[] Fly(Kind kind, long seed, int flights, int jobs, Progress progress)
-    {
-        var all = new CameraFlight[flights];
-        int done = 0;
-        var gate = new Lock();
-        Parallel.For(0, flights, new ParallelOptions { MaxDegreeOfParallelism = jobs }, i =>
-        {
-            all[i] = kind.Check.Run(new SeededRandom(SeededRandom.Mix(seed, i)));
-            lock (gate)
-            {
-                progress.Report(++done, flights, () => kind.Name);
-            }
-        });
-        return all;
+        run.Notes.Add("Kicks from the ground: 14 to 28 m/s, 8 to 35° up, any azimuth, a spin of up to 60 rad/s about any axis, from 6 to 12 m before the centre of the image. In play: from 0.3 to 2.2 m up, 10 to 26 m/s, -5 to 35°. All bounces count that come before the ball leaves the image, or 3 s are over.");
+        run.Notes.Add("Reached: where a fit gives the depth, the rms is at most 10 cm with one camera and 3 cm with two; and the spin of all flights is within 15 rad/s in 90 %.");
+        run.Notes.Add("Bound: the rms of the best unbiased fit (Cramér and Rao), from derivatives at the true launch, with the prior knowledge that the fit has. A fit can be below it, because no launch is below the ground.");
+        run.Notes.Add("A fit lists what its pixels do not reveal. The doubtful fits say so by their verdict. Worse than the truth: the number of fits with a higher cost than the true launch, which are other minima.");
     }
 
     /// <summary>A set of cameras and assumptions for the fits.</summary>

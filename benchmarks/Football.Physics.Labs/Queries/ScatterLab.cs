@@ -9,30 +9,23 @@ internal static class ScatterLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> kicks = Arguments.Whole("--kicks", "Kicks simulated for each shot.", 100, 100_000_000, 400);
-        Option<long> shots = Arguments.Whole("--shots", "Number of shots; every second one has a narrow spread.", 1, 1000, 6);
-        return LabOptions.Create(
+        var lab = new Lab(
             "scatter",
             "Chances to score, by derivatives or SIMD batches, compared with random kicks that are simulated one by one.",
-            ["football lab scatter --shots 1 --kicks 200 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), (int)parsed.GetValue(kicks), progress),
-            shots,
-            kicks);
+            ["football lab scatter --shots 1 --kicks 200 --seed 7"]);
+        Option<long> shots = lab.Whole("--shots", "Number of shots; every second one has a narrow spread.", 1, 1000, 6);
+        Option<long> kicks = lab.Whole("--kicks", "Kicks simulated for each shot.", 100, 100_000_000, 400);
+        return lab.Command(terminal, run => Run(run, run.Int(shots), run.Int(kicks)));
     }
 
-    private static LabReport Run(long seed, int shots, int kicks, Progress progress)
+    private static void Run(LabRun run, int shots, int kicks)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "Scatter of shots", "spread, °", "method", "in", "in, flown", "scores", "scores, flown", "aside σ, m", "flown", "height σ, m", "flown", "off, σ of the count", "verdict");
-        var report = new LabReport { Name = "scatter", Seed = seed, Tables = { table } };
         var scatter = new GoalChance(Scene.Measured);
         var simulator = new Simulator(Scene.Measured);
-        for (int i = 0; i < shots; i++)
+        run.Each(shots, "shot", (random, i) =>
         {
-            int at = i;
-            progress.Report(i, shots, () => FormattableString.Invariant($"shot {at}"));
-            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             double size = i % 2 == 0 ? 0.35 : random.Uniform(1.5, 4);
             var spread = new KickSpread { SpeedPercent = 3 * size, ElevationDegrees = size, AzimuthDegrees = size, SpinPercent = 10 * size, SpeedWithElevation = -0.4 };
             var goal = new Goal { Center = new Vector3d(0, 0, -random.Uniform(11, 22)), Facing = new Vector3d(0, 0, 1) };
@@ -41,17 +34,15 @@ internal static class ScatterLab
             Vector3d spin = random.Uniform(0, 40) * random.Direction();
             var from = new Vector3d(0, 0.11, 0);
             GoalChanceResult found = scatter.Find(from, velocity, spin, spread, goal, keeper);
-            GoalChanceResult flown = Fly(simulator, from, velocity, spin, spread, goal, keeper, kicks, seed + i);
+            GoalChanceResult flown = Fly(simulator, from, velocity, spin, spread, goal, keeper, kicks, run.Seed + i);
             double Off(double a, double b) => (a - b) / Math.Sqrt(Math.Max(1.0, b * (1 - b) * kicks)) * kicks;
             double off = Math.Max(Math.Abs(Off(found.OnTarget, flown.OnTarget)), Math.Abs(Off(found.Scores, flown.Scores)));
             bool close = Math.Abs(found.OnTarget - flown.OnTarget) < 0.01 && Math.Abs(found.Scores - flown.Scores) < 0.01;
             table.Add(
                 size, found.Method, found.OnTarget, flown.OnTarget, found.Scores, flown.Scores, found.AsideDeviation, flown.AsideDeviation, found.HeightDeviation,
                 flown.HeightDeviation, off, Verdict.Of(close || off < 4));
-        }
-
-        report.Notes.Add("Reached: both chances within 0.01 of those flown, or within four standard deviations of their count.");
-        return report;
+        });
+        run.Notes.Add("Reached: both chances within 0.01 of those flown, or within four standard deviations of their count.");
     }
 
     /// <summary>Computes the same with the single ball in double precision, and numbers of another generator.</summary>

@@ -7,8 +7,6 @@ namespace FootballPhysics.Labs.Scenes;
 /// <summary>football lab scenes: compares random seams, turning bodies, carriers, kerbs and slopes with independent references.</summary>
 internal static class ScenesLab
 {
-    private const int ByDefault = 1000;
-
     /// <summary>The number of failures shown per group.</summary>
     private const int Shown = 3;
 
@@ -16,57 +14,42 @@ internal static class ScenesLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> count = Arguments.Whole("--count", "Scenes of each kind; ten times as many seams.", 1, 10_000_000, ByDefault);
-        var only = new Option<string?>("--only") { HelpName = "KIND", Description = $"Run one kind: {string.Join(", ", s_kinds.Select(kind => kind.Name))}." };
-        only.AcceptOnlyFromAmong([.. s_kinds.Select(kind => kind.Name)]);
-        Option<long?> scene = Arguments.Whole("--scene", "One scene by its number, with --only.", 0, long.MaxValue);
-        Option<long> jobs = Arguments.Jobs("Threads.");
-        return LabOptions.Create(
+        var lab = new Lab(
             "scenes",
             "Random seams, turning bodies, moving floors, kerbs and slopes, compared with closed forms, exact rotations and a reference integration.",
-            ["football lab scenes --only kerbs --count 20 --seed 7"],
-            terminal,
-            (parsed, seed, progress) =>
+            ["football lab scenes --only kerbs --count 20 --seed 7"]);
+        Option<long> count = lab.Whole("--count", "Scenes of each kind; ten times as many seams.", 1, 10_000_000, 1000);
+        Option<string?> only = lab.Only("KIND", "Run one kind", s_kinds.Select(kind => kind.Name));
+        Option<long?> scene = lab.Add(Arguments.Whole("--scene", "One scene by its number, with --only.", 0, long.MaxValue));
+        Option<long> jobs = lab.Jobs("Threads.");
+        return lab.Command(terminal, run =>
+        {
+            SceneKind[] kinds = [.. s_kinds.Where(kind => run.Get(only) is not { } name || kind.Name == name)];
+            if (run.Get(scene) is { } index)
             {
-                SceneKind[] kinds = [.. s_kinds.Where(kind => parsed.GetValue(only) is not { } name || kind.Name == name)];
-                return parsed.GetValue(scene) is not { } index ? Run(seed, parsed.GetValue(count), kinds, (int)parsed.GetValue(jobs), progress)
-                    : kinds.Length == 1 ? One(seed, index, kinds[0])
-                    : throw new RefusedException("--scene requires --only KIND.");
-            },
-            count,
-            only,
-            scene,
-            jobs);
+                One(run, index, kinds.Length == 1 ? kinds[0] : throw new RefusedException("--scene requires --only KIND."));
+                return;
+            }
+
+            Run(run, run.Get(count), kinds, run.Int(jobs));
+        });
     }
 
-    private static LabReport One(long seed, long index, SceneKind kind)
+    private static void One(LabRun run, long index, SceneKind kind)
     {
-        SceneOutcome outcome = kind.Play(seed, index);
-        var table = new LabTable(FormattableString.Invariant($"{kind.Name} {index}"), "group", "error", "limit", "detail", "verdict");
+        SceneOutcome outcome = kind.Play(run.Seed, index);
+        LabTable table = run.Table(FormattableString.Invariant($"{kind.Name} {index}"), "group", "error", "limit", "detail", "verdict");
         table.Add(outcome.Group, outcome.Error, outcome.Limit, outcome.Detail, outcome.Holds ? "holds" : "FAILED");
-        return new LabReport { Name = "scenes", Seed = seed, Failed = !outcome.Holds, Tables = { table } };
+        run.Failed = !outcome.Holds;
     }
 
-    private static LabReport Run(long seed, long count, SceneKind[] kinds, int jobs, Progress progress)
+    private static void Run(LabRun run, long count, SceneKind[] kinds, int jobs)
     {
-        var report = new LabReport { Name = "scenes", Seed = seed };
-        var table = new LabTable("Random scenes, and how far off the library is", "kind", "of", "scenes", "wrong answers", "beyond the limit", "median error", "worst error", "at scene", "verdict");
+        LabTable table = run.Table("Random scenes, and how far off the library is", "kind", "of", "scenes", "wrong answers", "beyond the limit", "median error", "worst error", "at scene", "verdict");
         var failures = new LabTable("failures", "kind", "scene", "of", "detail");
-        report.Tables.Add(table);
-        long total = kinds.Sum(kind => count * kind.Share);
-        long done = 0;
-        var gate = new Lock();
         foreach (SceneKind kind in kinds)
         {
-            var outcomes = new SceneOutcome[count * kind.Share];
-            Parallel.For(0L, outcomes.Length, new ParallelOptions { MaxDegreeOfParallelism = jobs }, index =>
-            {
-                outcomes[index] = kind.Play(seed, index);
-                lock (gate)
-                {
-                    progress.Report(++done, total, () => kind.Name);
-                }
-            });
+            SceneOutcome[] outcomes = run.Parallel(count * kind.Share, jobs, kind.Name, index => kind.Play(run.Seed, index));
             foreach (var group in outcomes.Select((outcome, index) => (Outcome: outcome, Index: index)).GroupBy(item => item.Outcome.Group).OrderBy(group => group.Key, StringComparer.Ordinal))
             {
                 var worst = group.MaxBy(item => item.Outcome.Agrees ? item.Outcome.Error : -1);
@@ -75,21 +58,16 @@ internal static class ScenesLab
                 table.Add(
                     kind.Name, group.Key, errors.Length, group.Count(item => !item.Outcome.Agrees), group.Count(item => item.Outcome.Agrees && !item.Outcome.Holds),
                     errors[errors.Length / 2], worst.Outcome.Error, worst.Index, failed == 0 ? "holds" : FormattableString.Invariant($"{failed} FAILED"));
-                report.Failed |= failed > 0;
-                foreach ((SceneOutcome outcome, int index) in group.Where(item => !item.Outcome.Holds).Take(Shown))
-                {
-                    failures.Add(kind.Name, index, group.Key, outcome.Detail);
-                }
+                run.Failed |= failed > 0;
+                failures.Rows.AddRange(group.Where(item => !item.Outcome.Holds).Take(Shown).Select(item => new object?[] { kind.Name, item.Index, group.Key, item.Outcome.Detail }));
             }
 
-            report.Notes.Add($"{kind.Name}: {kind.Claim}");
+            run.Notes.Add($"{kind.Name}: {kind.Claim}");
         }
 
         if (failures.Rows.Count > 0)
         {
-            report.Tables.Add(failures);
+            run.Tables.Add(failures);
         }
-
-        return report;
     }
 }

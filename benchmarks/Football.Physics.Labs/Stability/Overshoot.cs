@@ -10,9 +10,9 @@ internal static class Overshoot
     private const double LongStep = 1;
 
     /// <summary>z = |u| Δt ½ρC_D A/m; a beach ball at 200 m/s.</summary>
-    public static LabTable Table()
+    public static void AddTable(LabRun run)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "drag overshoots from this step on (beach ball, 200 m/s, C_D 0.25)",
             "method", "reverses from z", "grows from z", "z = 1 at, ms", "reverses at, ms", "parts of a 1 s step", "speed after, m/s");
         Scene scene = Scene.Published with
@@ -34,7 +34,6 @@ internal static class Overshoot
         }
 
         table.Add("exact", double.NaN, double.NaN, double.NaN, double.NaN, null, Speed / (1 + (k * Speed * LongStep)));
-        return table;
     }
 
     /// <summary>Draws the speed after one undivided step over its length, both as shares, to show where a method reverses and increases the speed.</summary>

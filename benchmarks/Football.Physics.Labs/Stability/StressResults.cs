@@ -1,7 +1,5 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
-using System.Globalization;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stability;
 
@@ -19,8 +17,8 @@ internal sealed class StressResults
     /// <summary>Scenes that the library rejects, by field.</summary>
     public Findings Refusals { get; } = new();
 
-    /// <summary>The scene that took longest, and its time, s.</summary>
-    public (long Scene, double Seconds) Slowest { get; private set; }
+    /// <summary>The longest time of a scene, s, and its number.</summary>
+    public Peak<double, long> Slowest { get; } = new(0);
 
     public Tally Of(string kind, Integrator method) => _cells.GetValueOrDefault((kind, method));
 
@@ -34,7 +32,7 @@ internal sealed class StressResults
         lock (_lock)
         {
             _cells[(outcome.Kind, outcome.Method)] = Of(outcome.Kind, outcome.Method) + outcome.Tally;
-            Slowest = seconds > Slowest.Seconds ? (scene, seconds) : Slowest;
+            Slowest.See(seconds, scene);
             foreach (Finding found in outcome.Findings)
             {
                 Findings.Add(outcome.Kind.Length > 0 ? $"{outcome.Kind}, {outcome.Method}: {found.Check}" : found.Check, scene, found);
@@ -47,8 +45,8 @@ internal sealed class StressResults
         }
     }
 
-    /// <summary>Simulates scenes from the first on.</summary>
-    public void Play(Func<long, StressOutcome> play, long first, long count, int jobs, Terminal terminal, Progress progress)
+    /// <summary>Simulates scenes of a set, from its first one on.</summary>
+    public void Play(SceneSet set, long count, int jobs, LabRun run)
     {
         var running = new ConcurrentDictionary<long, long>();
         using var watch = new Timer(
@@ -56,26 +54,18 @@ internal sealed class StressResults
             {
                 foreach (long scene in running.Where(item => Stopwatch.GetElapsedTime(item.Value).TotalSeconds > Long).Select(item => item.Key))
                 {
-                    terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"scene {scene} has been running for more than {Long:0} s"));
+                    run.Terminal.Error.WriteLine(FormattableString.Invariant($"scene {scene} has been running for more than {Long:0} s"));
                 }
             },
             null,
             TimeSpan.FromSeconds(Long),
             TimeSpan.FromSeconds(Long));
-        long done = 0;
-        Parallel.For(first, first + count, new ParallelOptions { MaxDegreeOfParallelism = jobs }, scene =>
+        run.Parallel(set.First, count, jobs, "scenes", scene =>
         {
             long start = running[scene] = Stopwatch.GetTimestamp();
-            StressOutcome outcome = play(scene);
+            StressOutcome outcome = set.Play(scene);
             running.TryRemove(scene, out _);
             Add(scene, outcome, Stopwatch.GetElapsedTime(start).TotalSeconds);
-            lock (progress)
-            {
-                if (++done % 64 == 0)
-                {
-                    progress.Report(done, count, () => string.Create(CultureInfo.InvariantCulture, $"scenes, {Findings.Kinds} kinds of findings"));
-                }
-            }
         });
     }
 }

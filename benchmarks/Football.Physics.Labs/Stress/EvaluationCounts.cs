@@ -11,34 +11,36 @@ internal sealed class EvaluationCounts
 
     public long Steps { get; private set; }
 
-    /// <summary>The largest count of a step.</summary>
-    public long Largest { get; private set; }
+    /// <summary>The largest count of a step, and the scene of that step.</summary>
+    private int _largest;
+    private string _largestAt = "";
 
-    /// <summary>The scene of that step.</summary>
-    public string LargestAt { get; private set; } = "";
-
-    /// <summary>Adds the steps of a match.</summary>
-    public void Add(List<int> evaluations, long largest, string at)
+    /// <summary>Adds the steps of a match, and frees their list.</summary>
+    public void Add(MatchOutcome match)
     {
         lock (_lock)
         {
-            foreach (int count in evaluations)
+            foreach (int count in match.Evaluations)
             {
                 _steps[Math.Min(count, Most + 1)]++;
             }
 
-            Steps += evaluations.Count;
+            Steps += match.Evaluations.Count;
+            match.Evaluations.Clear();
+            match.Evaluations.TrimExcess();
 
             // Of equal counts keep the first text, because matches end in any order.
-            if (largest > Largest || (largest == Largest && string.CompareOrdinal(at, LargestAt) < 0))
+            string at = FormattableString.Invariant(match.MostEvaluations.At);
+            int largest = match.MostEvaluations.Most;
+            if (largest > _largest || (largest == _largest && string.CompareOrdinal(at, _largestAt) < 0))
             {
-                (Largest, LargestAt) = (largest, at);
+                (_largest, _largestAt) = (largest, at);
             }
         }
     }
 
     /// <summary>Returns the count that a share of the steps does not exceed.</summary>
-    public long At(double share)
+    private long At(double share)
     {
         long wanted = (long)Math.Ceiling(share * Steps);
         long seen = 0;
@@ -54,10 +56,6 @@ internal sealed class EvaluationCounts
         return Most + 1;
     }
 
-    public LabTable Table(string balls)
-    {
-        var table = new LabTable("Evaluations of a step", "balls", "steps", "median", "99 %", "99.99 %", "most", "at", "verdict");
-        table.Add(balls, Steps, At(0.5), At(0.99), At(0.9999), Largest, LargestAt, Verdict.Of(Largest <= Most));
-        return table;
-    }
+    /// <summary>Adds a row.</summary>
+    public void AddTo(LabTable table, string balls) => table.Judge(_largest <= Most, balls, Steps, At(0.5), At(0.99), At(0.9999), _largest, _largestAt);
 }

@@ -14,7 +14,7 @@ internal enum MatchClaim
     Throws,
 }
 
-/// <summary>The counts of one match.</summary>
+/// <summary>The claims of one match, and the work of its steps.</summary>
 internal sealed class MatchOutcome(long index)
 {
     private static readonly int s_claims = Enum.GetValues<MatchClaim>().Length;
@@ -25,36 +25,12 @@ internal sealed class MatchOutcome(long index)
 
     public long Index => index;
 
-    public int Balls { get; set; }
-
-    public long Steps { get; set; }
-
-    public long Kicks { get; set; }
-
-    public long KicksInNets { get; set; }
-
-    public long Goals { get; set; }
-
-    public long Positions { get; set; }
-
-    public long Undecided { get; set; }
-
-    /// <summary>The number of balls that must come to rest, and the time of the last one, s after the match.</summary>
-    public int Resting { get; set; }
-
-    public double LatestRest { get; set; }
-
-    /// <summary>The number of impacts beyond the limit of a step, which are only counted.</summary>
-    public long UnreportedImpacts { get; set; }
-
-    public int MostEvents { get; set; }
+    public int Balls { get; init; }
 
     /// <summary>The evaluations of each step, per ball.</summary>
     public List<int> Evaluations { get; } = [];
 
-    public long MostEvaluations { get; set; }
-
-    public string MostEvaluationsAt { get; set; } = "";
+    public Peak<int, FormattableString> MostEvaluations { get; } = new($"");
 
     /// <summary>Returns the number of violations of a claim.</summary>
     public long Broken(MatchClaim claim) => _broken[(int)claim];

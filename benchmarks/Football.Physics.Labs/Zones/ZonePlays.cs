@@ -22,29 +22,22 @@ internal sealed class ZonePlays
     private readonly List<Crossing> _expected = [];
     private readonly List<Crossing> _reported = [];
 
-    /// <summary>The number of kicks.</summary>
-    public int Cases { get; private set; }
+    /// <summary>The counts that must be 0: sampled crossings without an event, events without a crossing or out of order, and paths that zones changed.</summary>
+    public static readonly string[] Faults = [Missed, Wrong, Disordered, Changed];
 
-    /// <summary>The number of events by shape.</summary>
-    public int[] Events { get; } = new int[ZoneDraw.Shapes.Length];
+    /// <summary>The crossings that are too shallow to require a report.</summary>
+    public const string Grazes = "grazes of less than 1e-8 m";
 
-    /// <summary>The number of sampled crossings that were not reported.</summary>
-    public int Missed { get; private set; }
+    /// <summary>The pairs of events between two samples, which the path confirms.</summary>
+    public const string Short = "visits between two samples, confirmed";
 
-    /// <summary>The number of events without a crossing.</summary>
-    public int Wrong { get; private set; }
+    private const string Missed = "crossings that were not reported";
+    private const string Wrong = "events without a crossing";
+    private const string Disordered = "events out of order";
+    private const string Changed = "paths that zones changed";
 
-    /// <summary>The number of crossings that are too shallow to require a report.</summary>
-    public int Grazes { get; private set; }
-
-    /// <summary>The number of pairs of events between two samples, which the path confirms.</summary>
-    public int Short { get; private set; }
-
-    /// <summary>The number of events out of order.</summary>
-    public int Disordered { get; private set; }
-
-    /// <summary>The number of paths that zones changed.</summary>
-    public int Changed { get; private set; }
+    /// <summary>The counts by these names, the kicks, and the events by shape.</summary>
+    public LabCounts Counts { get; } = new();
 
     /// <summary>The largest difference of the time of a crossing, s.</summary>
     public double WorstTime { get; private set; }
@@ -56,7 +49,7 @@ internal sealed class ZonePlays
     public int FirstFailure { get; private set; } = -1;
 
     /// <summary>True if a crossing was missed, or another check failed.</summary>
-    public bool Failed => Missed + Wrong + Disordered + Changed > 0 || WorstTime > Allowed || WorstPlace > Graze;
+    public bool Failed => Faults.Any(fault => Counts[fault] > 0) || WorstTime > Allowed || WorstPlace > Graze;
 
     /// <summary>Simulates a case.</summary>
     public void Play(long seed, int index)
@@ -80,9 +73,9 @@ internal sealed class ZonePlays
         Scene scene = kick.Scene with { Zones = zones };
         log = new StepLog(mostEvents: 65_536);
         BallState among = Fly(kick, scene, log);
-        Changed += among.Equals(plain) ? 0 : 1;
+        Counts.AddIf(!among.Equals(plain), Changed);
         Compare(log.Events, new Simulator(scene), zones);
-        Cases++;
+        Counts.Add("paths");
         FirstFailure = Failed && !failed ? index : FirstFailure;
     }
 
@@ -98,7 +91,7 @@ internal sealed class ZonePlays
     {
         for (int i = 1; i < events.Count; i++)
         {
-            Disordered += events[i].Time < events[i - 1].Time ? 1 : 0;
+            Counts.AddIf(events[i].Time < events[i - 1].Time, Disordered);
         }
 
         for (int z = 0; z < zones.Length; z++)
@@ -113,7 +106,7 @@ internal sealed class ZonePlays
                 {
                     _reported.Add(new Crossing(happened.Time, happened.Kind == BallEventKind.EnterZone));
                     WorstPlace = Math.Max(WorstPlace, Math.Max(Math.Abs(border.Of(happened.Position)), (happened.Position - _path.At(happened.Time)).Length - (happened.Velocity.Length * 1e-9)));
-                    Events[Array.FindIndex(ZoneDraw.Shapes, name => zone.Name.StartsWith(name, StringComparison.Ordinal))]++;
+                    Counts.Add("events: " + zone.Name.Split(' ')[0]);
                 }
             }
 
@@ -132,7 +125,7 @@ internal sealed class ZonePlays
                 && (Math.Abs(_expected[i].Time - _reported[j].Time) <= Allowed || border.Deepest(_expected[i].Time, _reported[j].Time) <= Graze))
             {
                 double off = Math.Abs(_expected[i].Time - _reported[j].Time);
-                Grazes += off > Allowed ? 1 : 0;
+                Counts.AddIf(off > Allowed, Grazes);
                 WorstTime = off <= Allowed ? Math.Max(WorstTime, off) : WorstTime;
                 i++;
                 j++;
@@ -140,22 +133,22 @@ internal sealed class ZonePlays
             else if (j + 1 < _reported.Count && (i == _expected.Count || _reported[j + 1].Time < _expected[i].Time + Allowed) && _reported[j + 1].Time - _reported[j].Time < Spacing * 1.01
                 && border.IsIn(0.5 * (_reported[j].Time + _reported[j + 1].Time)) == _reported[j].Enters)
             {
-                Short++;
+                Counts.Add(Short);
                 j += 2;
             }
             else if (i + 1 < _expected.Count && border.Deepest(_expected[i].Time, _expected[i + 1].Time) <= Graze)
             {
-                Grazes++;
+                Counts.Add(Grazes);
                 i += 2;
             }
             else if (i < _expected.Count && (j == _reported.Count || _expected[i].Time <= _reported[j].Time))
             {
-                Missed++;
+                Counts.Add(Missed);
                 i++;
             }
             else
             {
-                Wrong++;
+                Counts.Add(Wrong);
                 j++;
             }
         }
