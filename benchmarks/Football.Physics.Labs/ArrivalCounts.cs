@@ -24,26 +24,25 @@ internal static class ArrivalCounts
 
     private static void Run(LabCounts counts, Random random, int count, Kind kind)
     {
-        double Between(double low, double high) => AimSets.Between(random, low, high);
         var simulator = new Simulator();
         var aimer = new Aimer(simulator);
         for (int i = 0; i < count; i++)
         {
-            double height = kind switch { Kind.Air => Between(0.5, 2.2), Kind.Volley => Between(0.2, 0.6), _ => 0.11 };
-            double away = kind switch { Kind.Air => Between(8, 25), Kind.Volley => Between(4, 9), _ => Between(20, 45) };
+            double height = kind switch { Kind.Air => random.Between(0.5, 2.2), Kind.Volley => random.Between(0.2, 0.6), _ => 0.11 };
+            double away = kind switch { Kind.Air => random.Between(8, 25), Kind.Volley => random.Between(4, 9), _ => random.Between(20, 45) };
             var request = new AimRequest
             {
                 From = new Vector3d(0, kind == Kind.Volley ? 1 : 0.11, 0),
-                Target = new Vector3d(Between(-3, 3), height, -away),
-                Speed = kind == Kind.Volley ? Between(10, 20) : Between(20, 32),
-                TopSpin = i % 3 == 0 ? Between(-20, 20) : 0,
-                SideSpin = i % 4 == 0 ? Between(-30, 30) : 0,
+                Target = new Vector3d(random.Between(-3, 3), height, -away),
+                Speed = kind == Kind.Volley ? random.Between(10, 20) : random.Between(20, 32),
+                TopSpin = i % 3 == 0 ? random.Between(-20, 20) : 0,
+                SideSpin = i % 4 == 0 ? random.Between(-30, 30) : 0,
             };
 
             // Request the arrival speed of a kick that hits, or any speed.
             AimResult witness = aimer.Find(request);
             bool isKnown = i % 2 == 0 && witness.Status == AimStatus.Hit;
-            double wanted = isKnown ? Played(simulator, request, in witness) : Between(4, 25);
+            double wanted = isKnown ? Played(simulator, request, in witness) : random.Between(4, 25);
             AimResult kick = aimer.FindAtSpeed(request with { Speed = 35 }, wanted);
             double error = kick.Status == AimStatus.Hit ? Math.Abs(Played(simulator, request, in kick) - wanted) : 0;
             FormattableString example = $"{request}, {wanted} m/s: {kick}, {error} m/s off";

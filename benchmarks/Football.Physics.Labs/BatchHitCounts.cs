@@ -18,18 +18,17 @@ internal static class BatchHitCounts
     private static void Run(LabCounts counts, int seed, int index, int count, double wind, bool drives)
     {
         var random = new Random((seed * 100_043) + index);
-        double Between(double low, double high) => AimSets.Between(random, low, high);
         Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, wind);
         double contact = scene.Ball.Radius;
         var aims = new BatchAims(count) { MaximumElevationDegrees = 60, Tolerance = 1e-3 };
         for (int i = 0; i < count; i++)
         {
-            double distance = Between(5, 30);
-            double angle = Between(0, 2 * Math.PI);
-            double height = contact + (drives ? Between(0, 0.5) : Between(0, 3));
-            var from = new Vector3d(0, contact + (drives || random.Next(2) == 0 ? 0 : Between(0, 2)), 0);
-            double top = drives ? Between(-60, -20) : Between(-60, 60);
-            aims.Set(i, from, new Vector3d(distance * Math.Cos(angle), height, distance * Math.Sin(angle)), Between(15, 35), top, Between(-30, 30));
+            double distance = random.Between(5, 30);
+            double angle = random.Between(0, 2 * Math.PI);
+            double height = contact + (drives ? random.Between(0, 0.5) : random.Between(0, 3));
+            var from = new Vector3d(0, contact + (drives || random.Next(2) == 0 ? 0 : random.Between(0, 2)), 0);
+            double top = drives ? random.Between(-60, -20) : random.Between(-60, 60);
+            aims.Set(i, from, new Vector3d(distance * Math.Cos(angle), height, distance * Math.Sin(angle)), random.Between(15, 35), top, random.Between(-30, 30));
         }
 
         var kicks = new BatchKicks(count);

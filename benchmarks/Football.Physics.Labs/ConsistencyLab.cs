@@ -83,12 +83,8 @@ internal static class ConsistencyLab
     private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
     {
         var simulator = new Simulator(Scene.Published with { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
-        Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
-        {
-            BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);
-            simulator.Run(ref state, step, 30, StopAt.Impact, new StepLog());
-            return state.Position;
-        }).ToArray())];
+        Vector3d[][] landings =
+            [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot => simulator.Fly(Shot.Spot, shot.Velocity, shot.Spin, step, 30, StopAt.Impact).Position).ToArray())];
         double[] Between(int a, int b) => [.. landings[a].Zip(landings[b], (p, q) => Millimetre * Vector3d.Distance(p, q))];
         return [Between(0, 1), Between(1, 2), Between(0, 2)];
     }

@@ -27,7 +27,7 @@ internal static class GroundPassCounts
         {
             (AimRequest request, double time) = Draw(random, simulator, path);
             AimResult found = aimer.Find(request);
-            AimResult timed = aimer.FindAtTime(request with { Speed = AimSets.Between(random, 1, 1.3) * request.Speed }, time);
+            AimResult timed = aimer.FindAtTime(request with { Speed = random.Between(1, 1.3) * request.Speed }, time);
             AimResult slowest = aimer.FindSlowest(request with { Speed = 30, MaximumElevationDegrees = 45 });
             counts.Add("passes");
             Require(found.Status == AimStatus.Hit, "found", "pass", in found);
@@ -49,14 +49,14 @@ internal static class GroundPassCounts
     {
         while (true)
         {
-            double azimuth = AimSets.Between(random, 0, 2 * Math.PI);
-            double speed = AimSets.Between(random, 3, 28);
-            double top = random.Next(2) == 0 ? 0 : AimSets.Between(random, -30, 30);
-            double side = random.Next(2) == 0 ? 0 : AimSets.Between(random, -30, 30);
+            double azimuth = random.Between(0, 2 * Math.PI);
+            double speed = random.Between(3, 28);
+            double top = random.Next(2) == 0 ? 0 : random.Between(-30, 30);
+            double side = random.Next(2) == 0 ? 0 : random.Between(-30, 30);
             Vector3d direction = new(Math.Cos(azimuth), 0, Math.Sin(azimuth));
             BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), speed * direction, KickVectors.Spin(direction, top, side));
             simulator.LookAhead(in ball, new LookAheadRequest { TimeStep = 0.01, Duration = 10, StopAt = StopAt.Impact }, path);
-            double time = AimSets.Between(random, 0.1, 0.9) * path.EndTime;
+            double time = random.Between(0.1, 0.9) * path.EndTime;
             Vector3d target = path.PositionAt(time);
             if (!path.IsComplete || target.Horizontal.Length < 1 || target.Y > simulator.ContactHeight)
             {

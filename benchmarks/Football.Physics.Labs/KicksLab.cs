@@ -59,14 +59,8 @@ internal static class KicksLab
         }
     }
 
-    private static Vector3d Landing(Scene scene, double speed, double elevation)
-    {
-        var simulator = new Simulator(scene);
-        var log = new StepLog();
-        BallState state = simulator.Launch(new Vector3d(0, Radius, 0), Velocity(speed, elevation), Vector3d.Zero);
-        simulator.Run(ref state, 0.01, 20, StopAt.Impact, log);
-        return log.Events[0].Position;
-    }
+    private static Vector3d Landing(Scene scene, double speed, double elevation) =>
+        new Simulator(scene).FirstImpact(new Vector3d(0, Radius, 0), Velocity(speed, elevation), Vector3d.Zero, 0.01, 20).Position;
 
     private static Vector3d Apex(Scene scene)
     {
@@ -110,15 +104,8 @@ internal static class KicksLab
         double farthest = 0;
         for (double degrees = 20; degrees <= 60; degrees += 0.5)
         {
-            var simulator = new Simulator(scene);
-            var log = new StepLog();
-            BallState state = simulator.Launch(new Vector3d(0, height, 0), Velocity(speed, degrees * Degree), new Vector3d(0, 0, -topSpin));
-            simulator.Run(ref state, 0.02, 20, StopAt.Impact, log);
-            if (log.Events[0].Position.X > farthest)
-            {
-                farthest = log.Events[0].Position.X;
-                best = degrees;
-            }
+            double range = new Simulator(scene).FirstImpact(new Vector3d(0, height, 0), Velocity(speed, degrees * Degree), new Vector3d(0, 0, -topSpin), 0.02, 20).Position.X;
+            (farthest, best) = range > farthest ? (range, degrees) : (farthest, best);
         }
 
         return best;

@@ -29,11 +29,11 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     /// <param name="wind">Largest wind, m/s.</param>
     public static Scene Scene(Random random, int ball, double wind)
     {
-        double angle = AimSets.Between(random, 0, 2 * Math.PI);
+        double angle = random.Between(0, 2 * Math.PI);
         return FootballPhysics.Scene.Published with
         {
             Ball = Balls[ball],
-            Air = new Air { Wind = AimSets.Between(random, 0, wind) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) },
+            Air = new Air { Wind = random.Between(0, wind) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) },
         };
     }
 
@@ -44,23 +44,22 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     /// <param name="steepest">Largest elevation, degrees.</param>
     public static KnownKick Draw(Random random, Simulator simulator, Trajectory path, double steepest = 85)
     {
-        double Between(double low, double high) => AimSets.Between(random, low, high);
         while (true)
         {
-            double height = simulator.ContactHeight + (random.Next(3) > 0 ? 0 : Between(0, 2.5));
-            double elevation = Between(height > simulator.ContactHeight ? -20 : 1, steepest);
-            double azimuth = Between(0, 2 * Math.PI);
-            double speed = Between(5, 35);
+            double height = simulator.ContactHeight + (random.Next(3) > 0 ? 0 : random.Between(0, 2.5));
+            double elevation = random.Between(height > simulator.ContactHeight ? -20 : 1, steepest);
+            double azimuth = random.Between(0, 2 * Math.PI);
+            double speed = random.Between(5, 35);
             bool spins = random.Next(4) > 0;
-            double top = spins ? Between(-50, 50) : 0;
-            double side = spins ? Between(-50, 50) : 0;
+            double top = spins ? random.Between(-50, 50) : 0;
+            double side = spins ? random.Between(-50, 50) : 0;
             bool narrow = random.Next(3) == 0;
             (double sine, double cosine) = Math.SinCos(elevation * Degree);
             Vector3d direction = new(cosine * Math.Cos(azimuth), sine, cosine * Math.Sin(azimuth));
             BallState ball = simulator.Launch(new Vector3d(0, height, 0), speed * direction, KickVectors.Spin(direction, top, side));
             simulator.LookAhead(in ball, new LookAheadRequest { TimeStep = 0.005, Duration = 12, StopAt = StopAt.Impact }, path);
-            double time = Between(0.1, 0.98) * path.EndTime;
-            double part = Between(0.3, 0.7);
+            double time = random.Between(0.1, 0.98) * path.EndTime;
+            double part = random.Between(0.3, 0.7);
             Vector3d target = path.PositionAt(time);
             if (ball.Motion != MotionState.Airborne || !path.IsComplete || target.Horizontal.Length < 1)
             {

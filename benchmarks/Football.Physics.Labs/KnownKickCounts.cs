@@ -29,7 +29,7 @@ internal static class KnownKickCounts
         {
             KnownKick kick = KnownKick.Draw(random, simulator, path);
             AimRequest request = kick.Request;
-            double more = AimSets.Between(random, 1, 1.3);
+            double more = random.Between(1, 1.3);
             AimResult low = aimer.Find(request);
             AimResult high = aimer.Find(request with { Arc = AimArc.High });
             AimResult timed = aimer.FindAtTime(request with { Speed = more * request.Speed }, kick.Time);

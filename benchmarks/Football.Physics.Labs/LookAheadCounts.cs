@@ -26,10 +26,10 @@ internal static class LookAheadCounts
         var other = new Trajectory(16384);
         for (int i = 0; i < count; i++)
         {
-            double angle = AimSets.Between(random, 0, 2 * Math.PI);
-            var direction = new Vector3d(Math.Cos(angle), AimSets.Between(random, -0.2, 2), Math.Sin(angle));
-            Vector3d velocity = AimSets.Between(random, 4, 30) / direction.Length * direction;
-            BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight + (i % 2), 0), velocity, KickVectors.Spin(velocity, AimSets.Between(random, -40, 40), AimSets.Between(random, -40, 40)));
+            double angle = random.Between(0, 2 * Math.PI);
+            var direction = new Vector3d(Math.Cos(angle), random.Between(-0.2, 2), Math.Sin(angle));
+            Vector3d velocity = random.Between(4, 30) / direction.Length * direction;
+            BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight + (i % 2), 0), velocity, KickVectors.Spin(velocity, random.Between(-40, 40), random.Between(-40, 40)));
             StopAt end = i % 3 == 0 ? StopAt.Rest : StopAt.Impact;
             simulator.LookAhead(in ball, new LookAheadRequest { StopAt = end, Duration = 12 }, path);
             if (path.Pieces.Length == 0)
@@ -52,15 +52,15 @@ internal static class LookAheadCounts
         double start = path.Pieces[0].StartPosition.Y;
         for (int k = 0; k < 3; k++)
         {
-            double depth = Math.Pow(10, AimSets.Between(random, -9, -1));
-            Vector3d through = path.PositionAt(AimSets.Between(random, 0, 1) * path.EndTime);
-            double angle = AimSets.Between(random, 0, 2 * Math.PI);
+            double depth = Math.Pow(10, random.Between(-9, -1));
+            Vector3d through = path.PositionAt(random.Between(0, 1) * path.EndTime);
+            double angle = random.Between(0, 2 * Math.PI);
             var across = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
             (Plane3d plane, bool must) = k switch
             {
                 0 => (new Plane3d(new Vector3d(0, path.Apex - depth, 0), Vector3d.Up), path.Apex - depth > start),
                 1 => (new Plane3d(through, across), Math.Abs(Vector3d.Dot(through - path.Pieces[0].StartPosition, across)) > Closeness && IsCrossed(path, through, across)),
-                _ => (new Plane3d(new Vector3d(0, start + (AimSets.Between(random, 0, 1) * (path.Apex - start)), 0), Vector3d.Up), path.Apex > start + Closeness),
+                _ => (new Plane3d(new Vector3d(0, start + (random.Between(0, 1) * (path.Apex - start)), 0), Vector3d.Up), path.Apex > start + Closeness),
             };
             bool found = path.TryGetCrossing(in plane, out PathPoint at);
             bool right = !found || Math.Abs(Vector3d.Dot(at.Position - plane.Point, plane.Normal)) < Closeness;
@@ -91,11 +91,11 @@ internal static class LookAheadCounts
     /// <summary>Checks that a path that stops after passing a point does not end before its closest approach to the point.</summary>
     private static void EndEarly(LabCounts counts, Random random, Simulator simulator, in BallState ball, StopAt end, Trajectory whole, Trajectory until)
     {
-        double angle = AimSets.Between(random, 0, 2 * Math.PI);
-        Vector3d aside = new(Math.Cos(angle), AimSets.Between(random, -1, 1), Math.Sin(angle));
+        double angle = random.Between(0, 2 * Math.PI);
+        Vector3d aside = new(Math.Cos(angle), random.Between(-1, 1), Math.Sin(angle));
         Vector3d point = random.Next(2) == 0
             ? whole.Final.Position
-            : whole.PositionAt(AimSets.Between(random, 0, whole.EndTime)) + (AimSets.Between(random, 0, 2) * aside);
+            : whole.PositionAt(random.Between(0, whole.EndTime)) + (random.Between(0, 2) * aside);
         simulator.LookAhead(in ball, new LookAheadRequest { StopAt = end, Duration = 12, UntilPassing = point }, until);
         double off = until.ClosestApproach(point).Distance - whole.ClosestApproach(point).Distance;
         counts.Require(
@@ -125,8 +125,8 @@ internal static class LookAheadCounts
     /// <summary>Tests a damper and a net as custom forces, from soft to very stiff: the library must follow or reject them.</summary>
     private static void Push(LabCounts counts, Random random, Scene scene, Trajectory path, Trajectory fine)
     {
-        double damping = Math.Pow(10, AimSets.Between(random, -2, 3));
-        double stiffness = random.Next(2) == 0 ? 0 : Math.Pow(10, AimSets.Between(random, 1, 5));
+        double damping = Math.Pow(10, random.Between(-2, 3));
+        double stiffness = random.Next(2) == 0 ? 0 : Math.Pow(10, random.Between(1, 5));
         double friction = stiffness > 0 ? 0.1 * damping : damping;
         IForce net = IForce.From(ball =>
         {

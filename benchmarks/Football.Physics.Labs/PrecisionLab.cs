@@ -136,8 +136,7 @@ internal static class PrecisionLab
         for (int i = 0; i < shots.Length; i++)
         {
             log.Events.Clear();
-            BallState state = simulator.Launch(Shot.Spot, shots[i].Velocity, shots[i].Spin);
-            simulator.Run(ref state, step, 120, stop, log);
+            BallState state = simulator.Fly(Shot.Spot, shots[i].Velocity, shots[i].Spin, step, 120, stop, log);
             points[i] = new PrecisionPoint(state.Position, state.Time);
         }
 

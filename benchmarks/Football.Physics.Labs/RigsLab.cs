@@ -52,8 +52,7 @@ internal static class RigsLab
     {
         var simulator = new Simulator(scene);
         var log = new StepLog();
-        BallState state = simulator.Launch(new Vector3d(0, DropHeight + simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
-        simulator.Run(ref state, TimeStep, 5, StopAt.Impact, log);
+        BallState state = simulator.Fly(new Vector3d(0, DropHeight + simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero, TimeStep, 5, StopAt.Impact);
         double highest = simulator.ContactHeight;
         double before;
         do
@@ -70,11 +69,8 @@ internal static class RigsLab
     public static double AngledShot(Scene scene)
     {
         var simulator = new Simulator(scene);
-        var log = new StepLog();
         var velocity = new Vector3d(ShotSpeed * Math.Cos(ShotAngle), -ShotSpeed * Math.Sin(ShotAngle), 0);
-        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), velocity, Vector3d.Zero);
-        simulator.Run(ref state, TimeStep, 1, StopAt.Impact, log);
-        return 100 * log.Events[0].Velocity.X / velocity.X;
+        return 100 * simulator.FirstImpact(new Vector3d(0, simulator.ContactHeight, 0), velocity, Vector3d.Zero, TimeStep, 1).Velocity.X / velocity.X;
     }
 
     /// <summary>Returns the length of the roll from the ramp, m.</summary>
@@ -86,9 +82,8 @@ internal static class RigsLab
         double turning = ball.Radius / onRails;
         double speed = Math.Sqrt(2 * scene.Gravity * RampHeight / (1 + (ball.InertiaFactor * turning * turning)));
         var simulator = new Simulator(scene);
-        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / onRails));
-        simulator.Run(ref state, 5 * TimeStep, 120, StopAt.Rest, new StepLog());
-        return state.Position.X;
+        return simulator.Fly(
+            new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / onRails), 5 * TimeStep, 120, StopAt.Rest).Position.X;
     }
 
     private static (string Profile, string Surface, Scene Scene, RigWindow? Window) Measured(string name, Ground ground, RigWindow? window) =>

@@ -22,24 +22,15 @@ internal static class SlopeCounts
 
     private static Ground GroundOf(Random random, double steepest, bool isUneven)
     {
-        double x = AimSets.Between(random, -steepest, steepest);
-        double z = AimSets.Between(random, -steepest, steepest);
+        double x = random.Between(-steepest, steepest);
+        double z = random.Between(-steepest, steepest);
         if (!isUneven)
         {
             return new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(x, 1, z).Normalized() };
         }
 
         // Long waves with the same steepness.
-        double[,] values = new double[40, 40];
-        for (int i = 0; i < 40; i++)
-        {
-            for (int j = 0; j < 40; j++)
-            {
-                values[i, j] = 5 * ((x * Math.Sin(0.4 * i)) + (z * Math.Cos(0.4 * j)));
-            }
-        }
-
-        return new Ground { Material = SurfaceMaterial.DryTurf, Heights = new HeightField(-40, -40, 2, values) };
+        return new Ground { Material = SurfaceMaterial.DryTurf, Heights = LabMath.Hills(-40, -40, 2, 40, (i, j) => 5 * ((x * Math.Sin(0.4 * i)) + (z * Math.Cos(0.4 * j)))) };
     }
 
     private static void Run(LabCounts counts, Random random, int count, double steepest, bool isUneven)
@@ -48,11 +39,11 @@ internal static class SlopeCounts
         var aimer = new Aimer(simulator);
         for (int i = 0; i < count; i++)
         {
-            double away = AimSets.Between(random, 5, 28);
-            double angle = AimSets.Between(random, -Math.PI, Math.PI);
+            double away = random.Between(5, 28);
+            double angle = random.Between(-Math.PI, Math.PI);
             Vector3d from = Lying(simulator, 0, 0);
-            Vector3d target = Lying(simulator, away * Math.Cos(angle), away * Math.Sin(angle)) + ((i % 3 == 0 ? AimSets.Between(random, 0, 2) : 0) * Vector3d.Up);
-            var request = new AimRequest { From = from, Target = target, Speed = AimSets.Between(random, 10, 28) };
+            Vector3d target = Lying(simulator, away * Math.Cos(angle), away * Math.Sin(angle)) + ((i % 3 == 0 ? random.Between(0, 2) : 0) * Vector3d.Up);
+            var request = new AimRequest { From = from, Target = target, Speed = random.Between(10, 28) };
             AimResult kick = i % 5 == 4 ? aimer.FindSlowest(request) : aimer.Find(request);
             double passes = kick.Status == AimStatus.Hit ? Closest(simulator, from, target, in kick) : 0;
             counts.Add("requests");

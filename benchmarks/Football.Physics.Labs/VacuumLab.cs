@@ -83,8 +83,6 @@ internal static class VacuumLab
     private static double Error(Integrator method, CollisionTiming timing, double step, double x, double y)
     {
         var simulator = new Simulator(Scene.Vacuum, new SolverSettings { Integrator = method, CollisionTiming = timing });
-        BallState state = simulator.Launch(Shot.Spot, new Vector3d(x, y, 0), Vector3d.Zero);
-        simulator.Run(ref state, step, 20, StopAt.Impact, new StepLog());
-        return Math.Abs(state.Position.X - (2 * x * y / Gravity));
+        return Math.Abs(simulator.Fly(Shot.Spot, new Vector3d(x, y, 0), Vector3d.Zero, step, 20, StopAt.Impact).Position.X - (2 * x * y / Gravity));
     }
 }

@@ -19,7 +19,7 @@ internal static class DerivativesScenes
                 new Obstacle { Name = "player", Shape = new CapsuleShape(new Vector3d(-2, 0, -8), new Vector3d(-2, 1.6, -8), 0.25), Surface = SurfaceMaterial.PublishedGoalFrame, Velocity = new Vector3d(2, 0, 0) },
             ],
         },
-        DerivativesKind.Hills => Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Heights = Hills() } },
+        DerivativesKind.Hills => Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Heights = LabMath.Hills(-60, -60, 4, 31, (i, j) => 0.15 * Math.Sin(0.9 * i) * Math.Cos(0.7 * j)) } },
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };
 
@@ -39,20 +39,6 @@ internal static class DerivativesScenes
         Vector3d way = target - from;
         double time = way.Length / speed;
         return (from, (way / time) + new Vector3d(0, 4.9 * time, 0), spin);
-    }
-
-    private static HeightField Hills()
-    {
-        var values = new double[31, 31];
-        for (int i = 0; i < 31; i++)
-        {
-            for (int j = 0; j < 31; j++)
-            {
-                values[i, j] = 0.15 * Math.Sin(0.9 * i) * Math.Cos(0.7 * j);
-            }
-        }
-
-        return new HeightField(-60, -60, 4, values);
     }
 }
 

@@ -33,7 +33,7 @@ internal sealed class MeetingScan
                 continue;
             }
 
-            double change = i == 0 ? TimeOf(0) : Change(runner, TimeOf(i - 1), TimeOf(i), meets);
+            double change = i == 0 ? TimeOf(0) : LabMath.Bisect(TimeOf(i - 1), TimeOf(i), time => Meets(runner, time) == meets, Closeness);
             inside = meets;
             if (meets)
             {
@@ -64,24 +64,6 @@ internal sealed class MeetingScan
         double ramp = runner.Speed / runner.Acceleration;
         double run = s <= ramp ? 0.5 * runner.Acceleration * s * s : runner.Speed * (s - (0.5 * ramp));
         return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.MinimumHeight - 1e-9 && ball.Y <= runner.MaximumHeight + 1e-9;
-    }
-
-    private double Change(Player runner, double low, double high, bool after)
-    {
-        while (high - low > Closeness)
-        {
-            double middle = 0.5 * (low + high);
-            if (Meets(runner, middle) == after)
-            {
-                high = middle;
-            }
-            else
-            {
-                low = middle;
-            }
-        }
-
-        return high;
     }
 
     private double TimeOf(int i) => Math.Min(_path.StartTime + (i * Step), _path.EndTime);

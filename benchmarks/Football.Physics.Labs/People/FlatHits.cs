@@ -21,7 +21,6 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
     ];
 
     private readonly Simulator _open = new(new Scene());
-    private readonly StepLog _log = new();
 
     public PeopleClaim SlidLong { get; } = new("flat into an edge: slides in it for more than 2 s");
 
@@ -110,13 +109,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
     }
 
     /// <summary>Returns the time at which a ball rests on open ground, s.</summary>
-    private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time)
-    {
-        BallState state = _open.Launch(from, velocity, spin);
-        _log.Clear();
-        _open.Run(ref state, Frame, Longest, StopAt.Rest, _log);
-        return time + state.Time;
-    }
+    private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time) => time + _open.Fly(from, velocity, spin, Frame, Longest, StopAt.Rest).Time;
 
     private static (Simulator Simulator, double Board) On(Pitch pitch) => (new Simulator(pitch.On()), (0.5 * pitch.Width) + pitch.BoardDistance);
 }

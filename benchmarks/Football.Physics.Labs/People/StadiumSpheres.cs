@@ -2,7 +2,7 @@ using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Spheres of an engine that lie about a pitch; every second one moves.</summary>
+/// <summary>Spheres of an engine that lie about a pitch; every second one moves. They throw after very many sphere casts, to end a step that never ends.</summary>
 internal sealed class StadiumSpheres : IEngineColliders
 {
     private const double Fastest = 6;
@@ -11,12 +11,16 @@ internal sealed class StadiumSpheres : IEngineColliders
     private const double Margin = 4;
     private const double EndMargin = 7;
 
+    /// <summary>The limit of sphere casts; five balls at their 8 192 pieces need a fraction of it per step or look-ahead.</summary>
+    private const long MostCasts = 400_000;
+
     private readonly double _halfWidth;
     private readonly double _halfLength;
     private readonly EngineCollider[] _colliders;
     private readonly double[] _radii;
     private readonly Vector3d[] _velocities;
     private readonly Vector3d[] _places;
+    private long _castsLeft = long.MaxValue;
 
     /// <summary>Places spheres on a pitch.</summary>
     /// <param name="count">The number of spheres.</param>
@@ -47,11 +51,21 @@ internal sealed class StadiumSpheres : IEngineColliders
     public double Time { get; set; }
 
     /// <inheritdoc/>
-    public double MaximumSpeed => Fastest;
+    public double MaximumSpeed => Count > 0 ? Fastest : 0;
+
+    public int Count => _colliders.Length;
+
+    /// <summary>Starts to count the casts of the next step or look-ahead.</summary>
+    public void Begin() => _castsLeft = MostCasts;
 
     /// <inheritdoc/>
     public void Cast(in SphereCast cast, EngineHits hits)
     {
+        if (--_castsLeft < 0)
+        {
+            throw new TimeoutException($"more than {MostCasts} sphere casts in one call");
+        }
+
         for (int i = 0; i < _colliders.Length; i++)
         {
             Vector3d way = _places[i] - cast.From;

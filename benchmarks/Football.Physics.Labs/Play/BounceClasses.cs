@@ -74,13 +74,8 @@ internal static class BounceClasses
         return impact.Spin + (Vector3d.Cross(Vector3d.Up, pieces[before].Velocity - impact.Velocity) / simulator.Scene.Ball.Radius);
     }
 
-    private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin)
-    {
-        var log = new StepLog();
-        BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), piece.VelocityBefore, spin);
-        simulator.Run(ref ball, 0.002, 1, StopAt.Impact, log);
-        return log.Events[0];
-    }
+    private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin) =>
+        simulator.FirstImpact(new Vector3d(0, simulator.ContactHeight, 0), piece.VelocityBefore, spin, 0.002, 1);
 
     private static Bounce Made(Simulator simulator, MatchPiece piece, Vector3d spin)
     {

@@ -65,7 +65,7 @@ internal sealed class CameraCheck
             {
                 if (_cameras[camera].TryProject(path[i], out double u, out double v) && u >= 0 && u <= Width && v >= 0 && v <= Height)
                 {
-                    var point = new PixelPoint(i * Interval, camera, Normal(random, u), Normal(random, v), Noise);
+                    var point = new PixelPoint(i * Interval, camera, random.Normal(u, Noise), random.Normal(v, Noise), Noise);
                     cost += (((point.U - u) * (point.U - u)) + ((point.V - v) * (point.V - v))) / (Noise * Noise);
                     seen.Add(point);
                     pixels.Add((i, s_pinholes[camera]));
@@ -125,9 +125,6 @@ internal sealed class CameraCheck
         double height = _fromGround ? off * off / (Ground * Ground) : _cameras.Length == 1 ? 2 * Math.Log(1 + (off * off / (Reach * Reach))) : 0;
         return height + (((launch[6] * launch[6]) + (launch[7] * launch[7]) + (launch[8] * launch[8])) / (SpinDeviation * SpinDeviation));
     }
-
-    private static double Normal(SeededRandom random, double mean) =>
-        mean + (Noise * Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next()));
 
     private CameraFlight Judge(TrackFitResult found, double[] truth, Vector3d[] path, bool bounces, double least, double cost)
     {

@@ -34,7 +34,7 @@ internal sealed class FitCheck
     /// <param name="also">True to fit drag, lift, restitution and friction too.</param>
     public void Run(SeededRandom random, bool also)
     {
-        double[] factors = also ? [Normal(random, 1, 0.1), Normal(random, 1, 0.2), Normal(random, 1, 0.05), Normal(random, 1, 0.1)] : [];
+        double[] factors = also ? [random.Normal(1, 0.1), random.Normal(1, 0.2), random.Normal(1, 0.05), random.Normal(1, 0.1)] : [];
         Scene scene = Scene.Measured;
         if (also)
         {
@@ -63,7 +63,7 @@ internal sealed class FitCheck
         var track = new TrackPoint[also ? 75 : 50];
         for (int i = 0; i < track.Length; i++)
         {
-            var off = new Vector3d(Normal(random, 0, Noise), Normal(random, 0, Noise), Normal(random, 0, Noise));
+            var off = new Vector3d(random.Normal(0, Noise), random.Normal(0, Noise), random.Normal(0, Noise));
             track[i] = new TrackPoint(i * Interval, ball.Position + off, Noise);
             log.Clear();
             simulator.Run(ref ball, 0.01, Interval, StopAt.Time, log);
@@ -73,9 +73,6 @@ internal sealed class FitCheck
         double[] truth = [from.X, from.Y, from.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z, .. factors];
         Judge(found, truth);
     }
-
-    private static double Normal(SeededRandom random, double mean, double deviation) =>
-        mean + (deviation * Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next()));
 
     private void Judge(TrackFitResult found, double[] truth)
     {

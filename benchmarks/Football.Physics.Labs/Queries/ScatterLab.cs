@@ -64,7 +64,7 @@ internal static class ScatterLab
         {
             for (int i = 0; i < normal.Length; i++)
             {
-                normal[i] = Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next());
+                normal[i] = random.Normal();
             }
 
             for (int i = 0; i < by.Length; i++)

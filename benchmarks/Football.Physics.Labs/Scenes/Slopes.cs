@@ -31,7 +31,7 @@ internal sealed class Slopes : SceneKind
             Vector3d weight = Gravity * (air.Lifts - 1) * Vector3d.Up;
             Vector3d push = weight + air.Act(default, default).Acceleration;
             double load = -Vector3d.Dot(push, normal);
-            double pull = Along(push, normal).Length / (1 + K);
+            double pull = LabMath.Along(push, normal).Length / (1 + K);
 
             // Skip cases at the limit of friction, and balls that the wind lifts.
             if (load < 2 || Math.Abs(pull - (rolling * load)) < 1e-5 * pull || (pull < 1e-12 && rolling > 0))
@@ -60,7 +60,7 @@ internal sealed class Slopes : SceneKind
     /// <summary>Returns the path from rest: in closed form without air and without growth with speed, otherwise by the classical Runge-Kutta method in steps of 0.1 ms.</summary>
     private static Vector3d Roll(Vector3d normal, AirModel air, Vector3d weight, double rolling, double bySpeed)
     {
-        Vector3d down = Along(weight, normal);
+        Vector3d down = LabMath.Along(weight, normal);
         if (air.Density == 0 && bySpeed == 0)
         {
             double rate = (down.Length / (1 + K)) + (rolling * Vector3d.Dot(weight, normal));
@@ -87,7 +87,7 @@ internal sealed class Slopes : SceneKind
             Vector3d spin = Vector3d.Cross(normal, moves) / Radius;
             (Vector3d acceleration, Vector3d torque) = air.Act(moves, spin);
             Vector3d all = weight + acceleration;
-            Vector3d shared = (Along(all, normal) + (Vector3d.Cross(torque, normal) / (Mass * Radius))) / (1 + K);
+            Vector3d shared = (LabMath.Along(all, normal) + (Vector3d.Cross(torque, normal) / (Mass * Radius))) / (1 + K);
 
             // At zero speed the friction opposes the push. It also does so while it could reverse the motion within a step: rounding would reverse it there.
             Vector3d ahead = moves.Length > 10 * H * rolling * Gravity ? moves.Normalized() : shared.Normalized();
@@ -108,10 +108,7 @@ internal sealed class Slopes : SceneKind
         var pieces = new ScenePieces(kind ?? PieceKind.Obstacles);
         if (kind is not null)
         {
-            Vector3d axis = Vector3d.Cross(Vector3d.Up, normal);
-            double sine = axis.Length;
-            Quaterniond turn = sine < 1e-15 ? Quaterniond.Identity : Quaterniond.FromAxisAngle(axis / sine, Math.Atan2(sine, normal.Y));
-            pieces.Add(new BoxShape(-0.5 * normal, new Vector3d(200, 0.5, 200), turn), ground.Material);
+            pieces.Add(new BoxShape(-0.5 * normal, new Vector3d(200, 0.5, 200), LabMath.Upright(normal)), ground.Material);
         }
 
         pieces.MoveTo(default, Quaterniond.Identity, default, default, 0);
@@ -127,6 +124,4 @@ internal sealed class Slopes : SceneKind
 
         return ball.State;
     }
-
-    private static Vector3d Along(in Vector3d v, in Vector3d n) => v - (Vector3d.Dot(v, n) * n);
 }

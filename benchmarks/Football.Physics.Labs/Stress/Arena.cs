@@ -21,9 +21,8 @@ internal sealed class Arena
     private readonly WalkingPlayer[] _players;
     private readonly Vector3d[] _homes;
     private readonly KinematicBody[] _cones;
-    private readonly StadiumSpheres? _spheres;
+    private readonly StadiumSpheres _spheres;
     private readonly bool _spheresStand;
-    private readonly WatchedColliders? _watched;
     private readonly ArenaKicks _kicks;
     private readonly BallGroup? _group;
     private readonly double _halfWidth;
@@ -67,17 +66,15 @@ internal sealed class Arena
         }
 
         bool sphereWeighs = _random.Chance(0.3);
-        _spheres = _random.Chance(0.5)
-            ? new StadiumSpheres(1 + _random.Below(6), _random, _halfWidth, _halfLength, sphereWeighs ? _random.Log(0.5, 50) : double.PositiveInfinity)
-            : null;
+        int spheres = _random.Chance(0.5) ? 1 + _random.Below(6) : 0;
+        _spheres = new StadiumSpheres(spheres, _random, _halfWidth, _halfLength, spheres > 0 && sphereWeighs ? _random.Log(0.5, 50) : double.PositiveInfinity);
         _spheresStand = !sphereWeighs;
         Scene scene = pitch.On(AnyAir());
         List<Obstacle> obstacles = Obstacles();
         _kicks = new ArenaKicks(_random, 0.5 * pitch.Width, 0.5 * pitch.Length, pitch.Goal);
         int balls = _random.Chance(0.4) ? 1 : 1 + _random.Below(5);
         bool isGroup = balls > 1 || _random.Chance(0.3);
-        _watched = _spheres is not null || isGroup ? new WatchedColliders(_spheres) : null;
-        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = _watched };
+        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = spheres > 0 || isGroup ? _spheres : null };
         Simulator = new Simulator(Scene);
         Radius = Scene.Ball.Radius;
         _group = isGroup ? new BallGroup(Simulator, balls) : null;
@@ -114,7 +111,7 @@ internal sealed class Arena
 
     /// <summary>Returns the distance of a point from the objects that never move, in closed form.</summary>
     public double ToStanding(Vector3d point) =>
-        Math.Min(_standing.Distance(point), _spheresStand && _spheres is not null ? _spheres.ToStanding(point) : double.PositiveInfinity);
+        Math.Min(_standing.Distance(point), _spheresStand ? _spheres.ToStanding(point) : double.PositiveInfinity);
 
     /// <summary>True if a point is behind a board, or above them.</summary>
     public bool IsOutside(Vector3d point) => Math.Abs(point.X) > _halfWidth || Math.Abs(point.Z) > _halfLength || point.Y > High;
@@ -138,16 +135,13 @@ internal sealed class Arena
             cone.MoveTo(cone.Position, cone.Velocity, Time);
         }
 
-        if (_watched is not null)
-        {
-            _watched.Time = Time;
-        }
+        _spheres.Time = Time;
     }
 
     /// <summary>Steps all balls once.</summary>
     public void Step(double frame, StepLog log)
     {
-        _watched?.Begin();
+        _spheres.Begin();
         if (_group is not null)
         {
             _group.Step(Balls, frame, log);
@@ -164,7 +158,7 @@ internal sealed class Arena
     /// <summary>Computes the paths of all balls for a duration.</summary>
     public void LookAhead(double step, Trajectory[] into, double duration)
     {
-        _watched?.Begin();
+        _spheres.Begin();
         var request = new LookAheadRequest { TimeStep = step, Duration = duration, StopAt = StopAt.Time };
         if (_group is not null)
         {
@@ -207,7 +201,7 @@ internal sealed class Arena
         }
 
         MoveRest(frame);
-        _spheres?.Stop();
+        _spheres.Stop();
     }
 
     private void MoveRest(double frame)
@@ -220,7 +214,7 @@ internal sealed class Arena
             cone.MoveTo((cone.Position + (frame * v)).Horizontal, kept * v, Time);
         }
 
-        _spheres?.Move(frame);
+        _spheres.Move(frame);
     }
 
     private static void Run(WalkingPlayer player, Vector3d to, double stops, double frame)
@@ -280,7 +274,7 @@ internal sealed class Arena
         while (true)
         {
             Vector3d at = Somewhere(0.5) + new Vector3d(0, _random.Chance(0.5) ? Radius : _random.Uniform(Radius, 2), 0);
-            bool isFree = ToStanding(at) >= Radius && (_spheres?.Distance(at, 0) ?? 1) > Radius && Balls.Take(index).All(ball => (ball.Position - at).Length > 3 * Radius)
+            bool isFree = ToStanding(at) >= Radius && _spheres.Distance(at, 0) > Radius && Balls.Take(index).All(ball => (ball.Position - at).Length > 3 * Radius)
                 && _players.All(player => player.Distance(at, 0) > Radius) && _cones.All(cone => (cone.Position - at).Horizontal.Length > 1);
             if (isFree)
             {

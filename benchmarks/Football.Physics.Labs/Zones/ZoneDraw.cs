@@ -39,7 +39,7 @@ internal static class ZoneDraw
     }
 
     /// <summary>Draws a zone near a point of the path.</summary>
-    public static Zone Zone(SeededRandom random, int index, in Vector3d near)
+    public static Zone Zone(SeededRandom random, int index, Vector3d near)
     {
         int shape = (int)random.Uniform(0, Shapes.Length);
         double size = Math.Exp(random.Uniform(Math.Log(0.02), Math.Log(4)));
@@ -54,24 +54,10 @@ internal static class ZoneDraw
                 1 => new SphereShape(center, size),
                 2 => new CapsuleShape(center, center + (size * random.Direction()), size * random.Uniform(0.05, 0.6)),
                 3 => new PlaneShape(center, random.Direction()),
-                4 => Hills(random, in near),
+                4 => LabMath.Hills(near.X - 6, near.Z - 6, 1.2, 12, (_, _) => near.Y + random.Uniform(-0.3, 0.3)),
                 _ => new RingShape(center, 0.5 + size, Math.Max(0.01, 0.2 * size)),
             },
         };
-    }
-
-    private static HeightField Hills(SeededRandom random, in Vector3d near)
-    {
-        var heights = new double[12, 12];
-        for (int i = 0; i < 12; i++)
-        {
-            for (int j = 0; j < 12; j++)
-            {
-                heights[i, j] = near.Y + random.Uniform(-0.3, 0.3);
-            }
-        }
-
-        return new HeightField(near.X - 6, near.Z - 6, 1.2, heights);
     }
 
     private static Quaterniond Rotation(SeededRandom random)

@@ -79,13 +79,8 @@ internal sealed class ZonePlays
         FirstFailure = Failed && !failed ? index : FirstFailure;
     }
 
-    private static BallState Fly(ZoneCase kick, Scene scene, StepLog log)
-    {
-        var simulator = new Simulator(scene, kick.Settings);
-        BallState s = simulator.Launch(kick.Position, kick.Velocity, kick.Spin);
-        simulator.Run(ref s, kick.Step, Duration, StopAt.Time, log);
-        return s;
-    }
+    private static BallState Fly(ZoneCase kick, Scene scene, StepLog log) =>
+        new Simulator(scene, kick.Settings).Fly(kick.Position, kick.Velocity, kick.Spin, kick.Step, Duration, StopAt.Time, log);
 
     private void Compare(EventBuffer events, Simulator simulator, Zone[] zones)
     {
@@ -191,16 +186,8 @@ internal sealed class ZonePlays
                 bool isIn = IsIn(time);
                 if (isIn != wasIn)
                 {
-                    double low = before;
-                    double high = time;
-                    for (int k = 0; k < 40; k++)
-                    {
-                        double middle = 0.5 * (low + high);
-                        bool past = IsIn(middle) == isIn;
-                        (low, high) = past ? (low, middle) : (middle, high);
-                    }
-
-                    into.Add(new Crossing(high, isIn));
+                    Border border = this;
+                    into.Add(new Crossing(LabMath.Bisect(before, time, middle => border.IsIn(middle) == isIn), isIn));
                 }
 
                 before = time;

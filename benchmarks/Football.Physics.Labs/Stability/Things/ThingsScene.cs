@@ -129,18 +129,7 @@ internal sealed class ThingsScene
             return flat with { Normal = Polar(new Vector3d(_random.Uniform(-0.4, 0.4), 1, _random.Uniform(-0.4, 0.4))) };
         }
 
-        if (Kind != ThingsKind.Hills)
-        {
-            return flat;
-        }
-
-        double[,] values = new double[14, 14];
-        for (int i = 0; i < 14 * 14; i++)
-        {
-            values[i / 14, i % 14] = _random.Uniform(0, 0.5);
-        }
-
-        return flat with { Heights = new HeightField(-13, -13, 2, values) };
+        return Kind == ThingsKind.Hills ? flat with { Heights = LabMath.Hills(-13, -13, 2, 14, (_, _) => _random.Uniform(0, 0.5)) } : flat;
     }
 
     private SurfaceMaterial DrawSurface() => SurfaceMaterial.GoalFrame with
