@@ -125,19 +125,19 @@ internal static class BodiesLab
         float mass = (float)air.Scene.Ball.Mass;
         float inertia = (float)air.Scene.Ball.MomentOfInertia;
         var gravity = new System.Numerics.Vector3(0, -9.81f, 0);
-        Vector3d pull = Double(gravity) + (air.Buoyancy / air.Scene.Ball.Mass);
+        Vector3d pull = (Vector3d)gravity + (air.Buoyancy / air.Scene.Ball.Mass);
         System.Numerics.Vector3 position = default;
-        System.Numerics.Vector3 velocity = Single(body == Body.Rigid ? kick : air.KickVelocity(Vector3d.Zero, kick, kickSpin, dt, pull));
-        System.Numerics.Vector3 spin = Single(kickSpin);
+        System.Numerics.Vector3 velocity = (body == Body.Rigid ? kick : air.KickVelocity(Vector3d.Zero, kick, kickSpin, dt, pull)).ToVector3();
+        System.Numerics.Vector3 spin = kickSpin.ToVector3();
         return Crossings(step, Longest, () =>
         {
             ForceAndTorque load = body == Body.Corrected
-                ? air.EvaluateForStep(Double(position), Double(velocity), Double(spin), dt, pull)
-                : air.Evaluate(Double(position), Double(velocity), Double(spin));
-            velocity += dt * (gravity + (Single(load.Force + air.Buoyancy) / mass));
-            spin += dt * (Single(load.Torque) / inertia);
+                ? air.EvaluateForStep(position, velocity, spin, dt, pull)
+                : air.Evaluate(position, velocity, spin);
+            velocity += dt * (gravity + ((load.Force + air.Buoyancy).ToVector3() / mass));
+            spin += dt * (load.Torque.ToVector3() / inertia);
             position += dt * velocity;
-            return Double(position);
+            return position;
         });
     }
 
@@ -179,8 +179,4 @@ internal static class BodiesLab
 
         return least;
     }
-
-    private static System.Numerics.Vector3 Single(Vector3d v) => new((float)v.X, (float)v.Y, (float)v.Z);
-
-    private static Vector3d Double(System.Numerics.Vector3 v) => new(v.X, v.Y, v.Z);
 }

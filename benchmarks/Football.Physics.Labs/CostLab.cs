@@ -18,16 +18,11 @@ internal static class CostLab
 
     private const int WarmUp = 60;
 
-    public static Command Create(Terminal terminal)
-    {
-        var lab = new Lab(
-            "cost",
-            "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
-            ["football lab cost --quick"],
-            isDrawn: true);
-        Option<bool> quick = lab.Quick();
-        return lab.Command(terminal, run => Run(run, run.Get(quick) ? Frames / 100 : Frames, run.Get(quick) ? 1 : WarmUp));
-    }
+    public static Command Create(Terminal terminal) => new Lab(
+        "cost",
+        "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
+        ["football lab cost --quick"],
+        isDrawn: true).QuickCommand(terminal, (run, quick) => Run(run, quick ? Frames / 100 : Frames, quick ? 1 : WarmUp));
 
     private static void Run(LabRun run, int frames, int warmUp)
     {

@@ -37,7 +37,7 @@ internal static class FuzzLab
         {
             var run = new FuzzRun(target, lab.Seed);
             lab.Parallel(0, count, jobs, target.Name, run.Try);
-            table.Judge(run.Findings.Count == 0, target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, run.SlowestInput);
+            table.Judge(run.Findings.Count == 0, [target.Name, .. run.Counts.Cells("refused", "right"), run.Findings.Values.Sum(found => found.Times), run.Slowest.Most, run.Slowest.At]);
             foreach ((string what, (long times, long first)) in run.Findings)
             {
                 findings.Add(target.Name, what, times, first, Quote.Short(target.Text(run.Input(first)), LongestInput));

@@ -62,6 +62,20 @@ internal sealed class Lab
         return _command;
     }
 
+    /// <summary>Returns the command of an experiment with one option, a number.</summary>
+    public Command Command(Terminal terminal, Option<long> option, Action<LabRun, int> play)
+    {
+        Add(option);
+        return Command(terminal, run => play(run, run.Int(option)));
+    }
+
+    /// <summary>Returns the command of an experiment whose option is a smaller sample.</summary>
+    public Command QuickCommand(Terminal terminal, Action<LabRun, bool> play)
+    {
+        Option<bool> quick = Quick();
+        return Command(terminal, run => play(run, run.Get(quick)));
+    }
+
     private int Run(ParseResult parsed, Terminal terminal, Action<LabRun> play)
     {
         using PlotFile? plot = parsed.GetValue(_plot) is { } picture ? PlotFile.For(picture) : null;

@@ -94,3 +94,128 @@ internal static class Verdict
 {
     public static string Of(bool reached) => reached ? "reached" : "MISSED";
 }
+
+/// <summary>Counts of cases that run in parallel, by the columns or rows of their table, and examples of those that fail.</summary>
+internal sealed class LabCounts
+{
+    private readonly Lock _lock = new();
+    private readonly Dictionary<string, object> _numbers = [];
+    private readonly List<string> _examples = [];
+
+    /// <summary>A count; 0 if nothing was added to it.</summary>
+    public long this[string column]
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return _numbers.GetValueOrDefault(column) is long count ? count : 0;
+            }
+        }
+    }
+
+    /// <summary>The failures, in order of their text.</summary>
+    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal);
+
+    /// <summary>Runs a number of cases in parts, on all processors.</summary>
+    /// <param name="count">The number of cases.</param>
+    /// <param name="perPart">The number of cases of a part.</param>
+    /// <param name="run">Runs a part: the counts, the index of the part, and its number of cases.</param>
+    public static LabCounts Of(int count, int perPart, Action<LabCounts, int, int> run)
+    {
+        var counts = new LabCounts();
+        Parallel.For(0, (count + perPart - 1) / perPart, part => run(counts, part, Math.Min(perPart, count - (part * perPart))));
+        return counts;
+    }
+
+    /// <summary>Adds to a count.</summary>
+    public void Add(string column, long number = 1)
+    {
+        lock (_lock)
+        {
+            _numbers[column] = this[column] + number;
+        }
+    }
+
+    /// <summary>Adds a case to a count if a condition holds.</summary>
+    public void AddIf(bool holds, string column) => Add(column, holds ? 1 : 0);
+
+    /// <summary>Keeps the largest number of a column.</summary>
+    public void Most<T>(string column, T number)
+        where T : struct, IComparable<T>
+    {
+        lock (_lock)
+        {
+            _numbers[column] = Largest<T>(column) is { } most && most.CompareTo(number) >= 0 ? most : number;
+        }
+    }
+
+    /// <summary>Returns the largest number of a column; null if there is none.</summary>
+    public T? Largest<T>(string column)
+        where T : struct => _numbers.GetValueOrDefault(column) is T most ? most : null;
+
+    /// <summary>Counts a case that fails, and keeps it as an example.</summary>
+    public void Require(bool holds, string column, FormattableString example)
+    {
+        AddIf(!holds, column);
+        if (!holds)
+        {
+            lock (_lock)
+            {
+                _examples.Add(FormattableString.Invariant(example));
+            }
+        }
+    }
+
+    /// <summary>Returns a count as a share of another one, %; 100 if that one is 0.</summary>
+    public double Percent(string part, string whole) => this[whole] > 0 ? 100.0 * this[part] / this[whole] : 100;
+
+    /// <summary>The cells of columns.</summary>
+    public IEnumerable<object?> Cells(params IEnumerable<string> columns) => columns.Select(column => _numbers.GetValueOrDefault(column, 0L));
+
+    /// <summary>Adds a row for each count to a table of names, counts and verdicts.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="rows">The names; those of faults must be 0.</param>
+    public void AddTo(LabTable table, params IEnumerable<(string Row, bool IsFault)> rows)
+    {
+        foreach ((string row, bool isFault) in rows)
+        {
+            table.Count(row, _numbers.GetValueOrDefault(row, 0L), isFault ? this[row] == 0 : null);
+        }
+    }
+}
+
+/// <summary>Mean, percentiles and worst of some values; all are 0 if there are no values.</summary>
+internal sealed class Spread(IEnumerable<double> values)
+{
+    private readonly double[] _sorted = [.. values.Order().DefaultIfEmpty()];
+
+    public double Mean => _sorted.Average();
+
+    public double Median => Percentile(0.5);
+
+    public double P95 => Percentile(0.95);
+
+    public double Worst => _sorted[^1];
+
+    /// <summary>Returns the smallest value that at least the given share does not exceed.</summary>
+    public double Percentile(double share) => _sorted[Math.Max(0, (int)Math.Ceiling(share * _sorted.Length) - 1)];
+}
+
+/// <summary>The largest value so far, and the case that has it.</summary>
+/// <param name="none">The case before the first value.</param>
+internal sealed class Peak<T, TCase>(TCase none)
+    where T : struct, IComparable<T>
+{
+    public T Most { get; private set; }
+
+    public TCase At { get; private set; } = none;
+
+    public void See(T value, TCase at)
+    {
+        if (value.CompareTo(Most) > 0)
+        {
+            (Most, At) = (value, at);
+        }
+    }
+}

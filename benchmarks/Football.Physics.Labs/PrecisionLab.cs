@@ -24,16 +24,11 @@ internal static class PrecisionLab
         LocateJump = false,
     };
 
-    public static Command Create(Terminal terminal)
-    {
-        var lab = new Lab(
-            "precision",
-            "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
-            ["football lab precision --quick --plot precision.svg"],
-            isDrawn: true);
-        Option<bool> quick = lab.Quick();
-        return lab.Command(terminal, run => Run(run, run.Get(quick)));
-    }
+    public static Command Create(Terminal terminal) => new Lab(
+        "precision",
+        "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
+        ["football lab precision --quick --plot precision.svg"],
+        isDrawn: true).QuickCommand(terminal, Run);
 
     private static void Run(LabRun run, bool quick)
     {

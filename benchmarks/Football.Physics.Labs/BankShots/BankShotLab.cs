@@ -21,15 +21,10 @@ internal static class BankShotLab
         Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame }],
     };
 
-    public static Command Create(Terminal terminal)
-    {
-        var lab = new Lab(
-            "bankshots",
-            "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
-            ["football lab bankshots --requests 1 --seed 7"]);
-        Option<long> requests = lab.Whole("--requests", "Requests of each kind.", 1, 100_000, 2);
-        return lab.Command(terminal, run => Run(run, run.Int(requests)));
-    }
+    public static Command Create(Terminal terminal) => new Lab(
+        "bankshots",
+        "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
+        ["football lab bankshots --requests 1 --seed 7"]).Command(terminal, Arguments.Whole("--requests", "Requests of each kind.", 1, 100_000, 2), Run);
 
     private static void Run(LabRun run, int requests)
     {

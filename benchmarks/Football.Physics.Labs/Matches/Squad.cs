@@ -6,23 +6,16 @@ namespace FootballPhysics.Labs.Matches;
 internal sealed class Squad
 {
     private const int Players = 22;
-    private readonly Vector3d[] _middle = new Vector3d[Players];
-    private readonly double[] _radius = new double[Players];
-    private readonly double[] _rate = new double[Players];
-    private readonly double[] _phase = new double[Players];
+    private readonly (Vector3d Middle, double Radius, double Rate, double Phase)[] _curves;
     private KinematicBodies? _bodies;
     private Engine? _engine;
 
-    public Squad(SeededRandom random)
+    public Squad(SeededRandom random) => _curves = [.. Enumerable.Range(0, Players).Select(_ =>
     {
-        for (int i = 0; i < Players; i++)
-        {
-            _middle[i] = new Vector3d(random.Uniform(-7, 7), 0, random.Uniform(-7, 7));
-            _radius[i] = random.Uniform(0.3, 3);
-            _rate[i] = random.Uniform(0.3, 7) / _radius[i] * (random.Chance(0.5) ? 1 : -1);
-            _phase[i] = random.Uniform(0, 6.28);
-        }
-    }
+        var middle = new Vector3d(random.Uniform(-7, 7), 0, random.Uniform(-7, 7));
+        double radius = random.Uniform(0.3, 3);
+        return (middle, radius, random.Uniform(0.3, 7) / radius * (random.Chance(0.5) ? 1 : -1), random.Uniform(0, 6.28));
+    })];
 
     /// <summary>Creates bodies for a scene: half of them with a mass.</summary>
     public KinematicBodies NewBodies()
@@ -69,9 +62,10 @@ internal sealed class Squad
 
     private (Vector3d Place, Vector3d Velocity) At(int player, double time)
     {
-        double angle = _phase[player] + (_rate[player] * time);
+        (Vector3d middle, double radius, double rate, double phase) = _curves[player];
+        double angle = phase + (rate * time);
         var out_ = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
-        return (_middle[player] + (_radius[player] * out_), _radius[player] * _rate[player] * new Vector3d(-out_.Z, 0, out_.X));
+        return (middle + (radius * out_), radius * rate * new Vector3d(-out_.Z, 0, out_.X));
     }
 
     /// <summary>An engine with a capsule per player, which reports those near a path.</summary>

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Scenarios.Input;
@@ -14,14 +15,8 @@ internal sealed class DamagedTracks
 
     private int _files;
 
-    /// <summary>The number of files that were read and fitted.</summary>
-    public int Fitted { get; private set; }
-
-    /// <summary>The number of files that the reader rejected.</summary>
-    public int Refused { get; private set; }
-
-    /// <summary>The number of files that were read and that the fit rejected.</summary>
-    public int NotFitted { get; private set; }
+    /// <summary>The files that were read and fitted, those that the reader rejected, and those that were read and that the fit rejected.</summary>
+    public LabCounts Counts { get; } = new();
 
     /// <summary>The longest processor time that a file took, s, and the index of that file, from 0.</summary>
     public Peak<double, int> Slowest { get; } = new(0);
@@ -59,7 +54,7 @@ internal sealed class DamagedTracks
         }
         catch (RefusedException refusal)
         {
-            Refused++;
+            Counts.Add("refused by the reader");
             MustBeSentence(refusal.Message);
             return null;
         }
@@ -70,7 +65,7 @@ internal sealed class DamagedTracks
         try
         {
             MatchFitResult fit = new MatchFit().Find(track);
-            Fitted++;
+            Counts.Add("fitted");
             bool isFinite = double.IsFinite(fit.Rms) && fit.Pieces.All(piece => double.IsFinite(piece.Velocity.Length + piece.Spin.Length + piece.Position.Length + piece.Rms))
                 && Enumerable.Range(0, fit.Names.Count).All(i => double.IsFinite(fit.Value(i)));
             if (!isFinite)
@@ -80,7 +75,7 @@ internal sealed class DamagedTracks
         }
         catch (ArgumentException rejection) when (LibraryRefusal.Of(rejection, s_noFields) is not null)
         {
-            NotFitted++;
+            Counts.Add("refused by the fit");
             MustBeSentence(LibraryRefusal.Sentence(rejection));
         }
     }
@@ -128,19 +123,19 @@ internal sealed class DamagedTracks
                     lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,");
                     break;
                 case 7:
-                    Columns(lines, line => string.Join(separator, line.Split(separator).Reverse()));
+                    lines = lines.ConvertAll(line => string.Join(separator, line.Split(separator).Reverse()));
                     break;
                 case 8:
-                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
+                    lines = lines.ConvertAll(line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
                     break;
                 case 9:
                     lines[0] = random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d");
                     break;
                 case 10:
-                    Columns(lines, line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line);
+                    lines = lines.ConvertAll(line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line);
                     break;
                 case 11:
-                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random));
+                    lines = lines.ConvertAll(line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random));
                     break;
                 case 12:
                     lines.RemoveAll(_ => random.Chance(0.5));
@@ -149,7 +144,7 @@ internal sealed class DamagedTracks
                 case 13:
                     // Repeat a column.
                     int twice = random.Below(4);
-                    Columns(lines, line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
+                    lines = lines.ConvertAll(line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
                     break;
                 case 14:
                     // Reorder or repeat all lines.
@@ -170,14 +165,6 @@ internal sealed class DamagedTracks
         return random.Chance(1.0 / 3) ? FuzzBytes.Changed(random, bytes, 1 + random.Below(6)) : bytes;
     }
 
-    private static void Columns(List<string> lines, Func<string, string> change)
-    {
-        for (int i = 0; i < lines.Count; i++)
-        {
-            lines[i] = change(lines[i]);
-        }
-    }
-
     private static string Scaled(string line, double factor)
     {
         string[] cells = line.Split(',');
@@ -192,4 +179,53 @@ internal sealed class DamagedTracks
 
     private static string Times(string cell, double factor) =>
         double.TryParse(cell, System.Globalization.CultureInfo.InvariantCulture, out double number) ? FormattableString.Invariant($"{number * factor}") : cell;
+}
+
+/// <summary>Writes a track as lines of text in one of the <see cref="Count"/> layouts that the reader supports.</summary>
+internal static class TrackLayoutText
+{
+    /// <summary>The number of layouts.</summary>
+    public const int Count = 9;
+
+    /// <summary>The character between the cells of a layout; a comma for one without cells.</summary>
+    public static char Separator(int layout) => layout switch { 1 => ';', 2 => '\t', 3 => ' ', _ => ',' };
+
+    /// <summary>True if a layout has frame numbers, so that its reader needs the rate.</summary>
+    public static bool HasFrames(int layout) => layout == 7;
+
+    /// <summary>Writes the points of a track.</summary>
+    /// <param name="layout">The layout, 0 … <see cref="Count"/> − 1.</param>
+    /// <param name="points">The points.</param>
+    /// <param name="random">The random numbers for the columns that are not about the ball.</param>
+    public static List<string> Write(int layout, IReadOnlyList<TrackPoint> points, SeededRandom random)
+    {
+        // z is up in the file.
+        double metre = layout is 2 or 7 ? 100 : 1;
+        List<double[]> rows = [.. points.Select(point => (double[])[point.Time, metre * point.Position.X, -metre * point.Position.Z, metre * point.Position.Y])];
+        return layout switch
+        {
+            0 => ["t,x,y,z", .. rows.Select(row => string.Join(',', row.Select(Number)))],
+            1 => ["Zeit;x;y;z", .. rows.Select(row => string.Join(';', row.Select(number => Number(number).Replace('.', ','))))],
+            2 =>
+            [
+                "time\tteam\tobject\tx [cm]\ty [cm]\tz [cm]",
+                .. rows.SelectMany(row => (string[])
+                    [$"{Number(row[0])}\thome\t7\t{random.Below(100)}\t{random.Below(100)}\t0", $"{Number(row[0])}\tball\tball\t{Number(row[1])}\t{Number(row[2])}\t{Number(row[3])}"]),
+            ],
+            3 => [.. rows.Select(row => string.Join(' ', row.Select(Number)))],
+            4 => ["period,timestamp,ball_x,ball_y,ball_z", .. rows.Select(row => FormattableString.Invariant($"1,00:{(int)row[0] / 60:00}:{row[0] % 60:00.00},{Number(row[1])},{Number(row[2])},{Number(row[3])}"))],
+            5 => ["{\"data\": [", .. rows.Select((row, i) => $"{(i > 0 ? "," : "")}{{\"t\": {Number(row[0])}, \"x\": {Number(row[1])}, \"y\": {Number(row[2])}, \"z\": {Number(row[3])}}}"), "]}"],
+            6 => [.. rows.Select((row, i) => $"{{\"frameIdx\": {i}, \"gameClock\": {Number(row[0])}, \"period\": 1, \"ball\": {{\"xyz\": [{Number(row[1])}, {Number(row[2])}, {Number(row[3])}]}}}}")],
+            7 => [.. rows.Select((row, i) => FormattableString.Invariant($"{i}:4,1,1,{random.Below(500)},{random.Below(500)},1.5;:{row[1]:0},{row[2]:0},{row[3]:0},12,H,Alive;:"))],
+            _ =>
+            [
+                "<PutDataRequest><Positions><FrameSet TeamId=\"BALL\" PersonId=\"DFL-OBJ-0000XT\">",
+                .. rows.Select((row, i) => FormattableString.Invariant(
+                    $"<Frame N=\"{i}\" T=\"2021-05-09T15:{(int)row[0] / 60:00}:{row[0] % 60:00.000}+02:00\" X=\"{Number(row[1])}\" Y=\"{Number(row[2])}\" Z=\"{Number(row[3])}\" />")),
+                "</FrameSet></Positions></PutDataRequest>",
+            ],
+        };
+    }
+
+    private static string Number(double number) => number.ToString("0.####", CultureInfo.InvariantCulture);
 }

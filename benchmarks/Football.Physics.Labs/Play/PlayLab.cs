@@ -111,7 +111,7 @@ internal static class PlayLab
         }
 
         run.Table("Damaged files", "files", "fitted", "refused by the reader", "refused by the fit", "crashes", "slowest, s", "that file", "verdict").Judge(
-            check.Faults.Count == 0, damaged, check.Fitted, check.Refused, check.NotFitted, check.Faults.Count, check.Slowest.Most, check.Slowest.At);
+            check.Faults.Count == 0, [damaged, .. check.Counts.Cells("fitted", "refused by the reader", "refused by the fit"), check.Faults.Count, check.Slowest.Most, check.Slowest.At]);
         run.Notes.AddRange(check.Faults.Distinct().Take(10));
     }
 }

@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Play;
 
 /// <summary>Counts the pieces of simulated minutes that a fit finds, and the share of true values within its uncertainty.</summary>
@@ -103,4 +105,177 @@ internal sealed class SyntheticCheck
 
     private static bool IsWithin(Vector3d off, Vector3d deviation) =>
         Math.Abs(off.X) <= Box * deviation.X && Math.Abs(off.Y) <= Box * deviation.Y && Math.Abs(off.Z) <= Box * deviation.Z;
+}
+
+/// <summary>A simulated minute of a match, and the track that a tracker would have recorded.</summary>
+internal sealed class SyntheticMatch
+{
+    public const double Interval = 0.02;
+    private const double Length = 60;
+
+    /// <summary>Half the size of the pitch, m.</summary>
+    private const double HalfLength = 50;
+    private const double HalfWidth = 32;
+
+    private readonly SeededRandom _random;
+
+    private SyntheticMatch(SeededRandom random) => _random = random;
+
+    /// <summary>The wind, m/s, the factor of the drag, and the height of the ground, m.</summary>
+    public Vector3d Wind { get; private set; }
+
+    public double Drag { get; private set; }
+
+    public double GroundHeight { get; private set; }
+
+    /// <summary>Standard deviation of each coordinate, m.</summary>
+    public double Noise { get; private init; }
+
+    /// <summary>The initial scene of a fit: the ball without the factor, no wind.</summary>
+    public static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) };
+
+    /// <summary>The true ball at every sample.</summary>
+    public List<BallState> Truth { get; } = [];
+
+    /// <summary>The times at which a player touched the ball or it hit the ground, in order, s.</summary>
+    public List<(double Time, bool Impact)> Events { get; } = [];
+
+    /// <summary>The points that the tracker recorded.</summary>
+    public List<TrackPoint> Seen { get; } = [];
+
+    /// <summary>The times without a track, s.</summary>
+    public List<(double From, double To)> Gaps { get; } = [];
+
+    /// <summary>Simulates a minute and records its track.</summary>
+    /// <param name="random">The random numbers.</param>
+    /// <param name="noise">Standard deviation of each coordinate, m.</param>
+    public static SyntheticMatch Play(SeededRandom random, double noise)
+    {
+        var match = new SyntheticMatch(random) { Noise = noise };
+        match.Play();
+        match.See(noise);
+        return match;
+    }
+
+    private void Play()
+    {
+        // 1. Kick a ball at rest. 2. It flies, bounces and rolls until a player touches it: in the air, at a bounce, or on the ground. 3. Repeat, towards the middle of the pitch.
+        Wind = new Vector3d(Normal(0, 1.5), 0, Normal(0, 1.5));
+        Drag = Normal(1, 0.12);
+        GroundHeight = _random.Uniform(-0.1, 0.1);
+        Scene scene = Known with
+        {
+            Air = Known.Air with { Wind = Wind },
+            Ground = Known.Ground with
+            {
+                Material = Known.Ground.Material with
+                {
+                    NormalRestitution = _random.Uniform(0.56, 0.68),
+                    ImpactFriction = _random.Uniform(0.3, 0.6),
+                },
+                Height = GroundHeight,
+            },
+        };
+        scene = scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, Drag, 1)] } };
+        var simulator = new Simulator(scene);
+        var log = new StepLog();
+        var middle = new Vector3d(_random.Uniform(-HalfLength, HalfLength), simulator.ContactHeight, _random.Uniform(-HalfWidth, HalfWidth));
+        BallState ball = simulator.Launch(middle, Vector3d.Zero, Vector3d.Zero);
+        double next = _random.Uniform(0.5, 1.5);
+        for (int i = 0; i * Interval < Length; i++)
+        {
+            double end = i * Interval;
+            if (next < end)
+            {
+                Step(simulator, ref ball, next - ball.Time, log);
+                Touch(simulator, ref ball);
+                Events.Add((next, false));
+                next += Wait();
+            }
+
+            Step(simulator, ref ball, end - ball.Time, log);
+            Truth.Add(ball);
+        }
+    }
+
+    private void Step(Simulator simulator, ref BallState ball, double dt, StepLog log)
+    {
+        if (!(dt > 0))
+        {
+            return;
+        }
+
+        log.Clear();
+        simulator.Step(ref ball, dt, log);
+        for (int i = 0; i < log.Events.Count; i++)
+        {
+            if (log.Events[i].Kind == BallEventKind.Impact)
+            {
+                Events.Add((log.Events[i].Time, true));
+            }
+        }
+    }
+
+    private double Wait() => _random.Chance(0.25) ? _random.Uniform(0.5, 1.2) : _random.Uniform(1.5, 6);
+
+    /// <summary>Applies a kick or a header, never along the ball's own direction at its own speed.</summary>
+    private void Touch(Simulator simulator, ref BallState ball)
+    {
+        Vector3d velocity;
+        do
+        {
+            double speed = _random.Chance(0.3) ? _random.Uniform(4, 10) : _random.Uniform(10, 28);
+            double elevation = _random.Uniform(0, ball.Position.Y > 1 ? 40 : 45) * Math.PI / 180;
+            Vector3d home = new Vector3d(_random.Uniform(-0.7, 0.7) * HalfLength, 0, _random.Uniform(-0.7, 0.7) * HalfWidth) - ball.Position;
+            double heading = Math.Atan2(home.Z, home.X) + _random.Uniform(-0.4, 0.4);
+            velocity = new Vector3d(speed * Math.Cos(elevation) * Math.Cos(heading), speed * Math.Sin(elevation), speed * Math.Cos(elevation) * Math.Sin(heading));
+        }
+        while ((velocity - ball.Velocity).Length < 3);
+        simulator.Kick(ref ball, velocity, _random.Uniform(0, 60) * _random.Direction());
+    }
+
+    private void See(double noise)
+    {
+        // Add noise, a height error near the ground, up to two gaps, a seam, and outliers.
+        int gaps = _random.Below(3);
+        for (int i = 0; i < gaps; i++)
+        {
+            double from = _random.Uniform(2, Length - 3);
+            Gaps.Add((from, from + _random.Uniform(0.2, 1)));
+        }
+
+        double seam = _random.Chance(0.5) ? _random.Uniform(2, Length - 2) : Length;
+        Vector3d offset = _random.Uniform(0.02, 0.1) * _random.Direction();
+        double seamEnd = seam + _random.Uniform(0.5, 4);
+        double wrong = _random.Uniform(-0.08, 0.08);
+        foreach (BallState ball in Truth)
+        {
+            if (Gaps.Exists(gap => ball.Time > gap.From && ball.Time < gap.To))
+            {
+                continue;
+            }
+
+            double height = ball.Position.Y - GroundHeight - 0.11;
+            Vector3d place = ball.Position + new Vector3d(Normal(0, noise), Normal(0, noise) + (wrong * Math.Exp(-height / 0.15)), Normal(0, noise));
+            place += ball.Time > seam && ball.Time < seamEnd ? offset : Vector3d.Zero;
+            place += _random.Chance(0.001) ? _random.Uniform(0.5, 3) * _random.Direction() : Vector3d.Zero;
+            Seen.Add(new TrackPoint(ball.Time, place, 1e-4));
+        }
+
+        Seams = [seam, seamEnd];
+    }
+
+    /// <summary>The times at which a seam began and ended, s.</summary>
+    public double[] Seams { get; private set; } = [];
+
+    private double Normal(double mean, double deviation)
+    {
+        double sum = -6;
+        for (int i = 0; i < 12; i++)
+        {
+            sum += _random.Next();
+        }
+
+        return mean + (deviation * sum);
+    }
 }

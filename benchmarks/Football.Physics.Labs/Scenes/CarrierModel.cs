@@ -4,7 +4,19 @@ namespace FootballPhysics.Labs.Scenes;
 /// A ball on a plane or a cylinder that moves and turns, in an inertial frame without air: the equations of slip and roll at the contact point, in steps of
 /// 0.05 ms by the classical Runge-Kutta method. It shares no code with the library.
 /// </summary>
-internal sealed class CarrierModel
+/// <param name="Radius">Radius of the ball, m.</param>
+/// <param name="Inertia">Its inertia factor.</param>
+/// <param name="Gravity">Gravity, m/s².</param>
+/// <param name="Sliding">The coefficient of sliding friction.</param>
+/// <param name="Rolling">The coefficient of rolling friction.</param>
+/// <param name="RollingBySpeed">Its growth with speed, s/m.</param>
+/// <param name="Damping">The rate at which the spin about the normal is damped, c/I, 1/s.</param>
+/// <param name="ShapeTurns">True if the shape itself turns, false if only its surface does.</param>
+/// <param name="Curve">The radius of a cylinder, m; 0 for a plane.</param>
+/// <param name="Axis">The axis of a cylinder, of length 1, through the pivot.</param>
+/// <param name="Normal">The normal of a plane, of length 1, through the pivot's start.</param>
+internal sealed record CarrierModel(
+    double Radius, double Inertia, Vector3d Gravity, double Sliding, double Rolling, double RollingBySpeed, double Damping, bool ShapeTurns, double Curve, Vector3d Axis, Vector3d Normal)
 {
     private const double Longest = 5e-5;
 
@@ -13,35 +25,6 @@ internal sealed class CarrierModel
 
     private Vector3d _ahead;
     private bool _slides;
-
-    /// <summary>Radius of the ball, m, its inertia factor, and gravity, m/s².</summary>
-    public required double Radius { get; init; }
-
-    public required double Inertia { get; init; }
-
-    public required Vector3d Gravity { get; init; }
-
-    /// <summary>The coefficients of sliding and of rolling friction, and the growth of the latter with speed, s/m.</summary>
-    public required double Sliding { get; init; }
-
-    public required double Rolling { get; init; }
-
-    public required double RollingBySpeed { get; init; }
-
-    /// <summary>The rate at which the spin about the normal is damped, c/I, 1/s.</summary>
-    public required double Damping { get; init; }
-
-    /// <summary>True if the shape itself turns, false if only its surface does.</summary>
-    public required bool ShapeTurns { get; init; }
-
-    /// <summary>The radius of a cylinder, m; 0 for a plane.</summary>
-    public double Curve { get; init; }
-
-    /// <summary>The axis of a cylinder, of length 1, through the pivot.</summary>
-    public Vector3d Axis { get; init; }
-
-    /// <summary>The normal of a plane, of length 1, through the pivot's start.</summary>
-    public Vector3d Normal { get; set; }
 
     /// <summary>The carrier's pivot, velocity and spin.</summary>
     public Vector3d Pivot { get; set; }

@@ -69,19 +69,9 @@ internal sealed class Carriers : SceneKind
         Vector3d moves = beneath + LabMath.Along(random.Log(0.3, form == Form.Drum ? 1 : 4) * random.Direction(), normal);
         Vector3d turns = random.Chance(0.5) ? (Vector3d.Cross(normal, moves - beneath) / radius) + (random.Uniform(-10, 10) * normal) : random.Log(0.5, 40) * random.Direction();
 
-        var model = new CarrierModel
+        var model = new CarrierModel(
+            radius, inertia, new Vector3d(0, -9.81, 0), surface.SlidingFriction, rolling, surface.RollingResistancePerSpeed, damping, kind != PieceKind.Obstacles, curve, axis, normal)
         {
-            Radius = radius,
-            Inertia = inertia,
-            Gravity = new Vector3d(0, -9.81, 0),
-            Sliding = surface.SlidingFriction,
-            Rolling = rolling,
-            RollingBySpeed = surface.RollingResistancePerSpeed,
-            Damping = damping,
-            ShapeTurns = kind != PieceKind.Obstacles,
-            Curve = curve,
-            Axis = axis,
-            Normal = normal,
             Place = place,
             Moves = moves,
             Turns = turns,

@@ -185,7 +185,7 @@ internal sealed class MatchPlay
     private void Deep(Vector3d point, FormattableString at)
     {
         double depth = _arena.Radius - _arena.ToStanding(point);
-        if (depth > _outcome.Worst(MatchClaim.Inside) || depth > Entered)
+        if (depth > _outcome[MatchClaim.Inside].Worst || depth > Entered)
         {
             _outcome.See(MatchClaim.Inside, depth, depth <= Entered, at);
         }

@@ -36,10 +36,10 @@ internal static class MatchesReport
         LabTable claims = run.Table("Claims", "what", "count", "in matches", "worst", "at", "verdict");
         foreach ((MatchClaim claim, string name) in s_claims)
         {
-            MatchOutcome worst = outcomes.MaxBy(o => o.Worst(claim))!;
-            MatchOutcome[] broken = [.. outcomes.Where(o => o.Broken(claim) > 0)];
-            claims.Judge(broken.Length == 0, name, broken.Sum(o => o.Broken(claim)), broken.Length, worst.Worst(claim), worst.Worst(claim) > 0 ? worst.At(claim) : null);
-            run.Notes.AddRange(broken.OrderByDescending(o => o.Worst(claim)).ThenBy(o => o.Index).Take(Shown).Select(o => $"{name}: {o.At(claim)}"));
+            MatchOutcome worst = outcomes.MaxBy(o => o[claim].Worst)!;
+            MatchOutcome[] broken = [.. outcomes.Where(o => o[claim].Broken > 0)];
+            claims.Judge(broken.Length == 0, name, broken.Sum(o => o[claim].Broken), broken.Length, worst[claim].Worst, worst[claim].Worst > 0 ? worst[claim].At : null);
+            run.Notes.AddRange(broken.OrderByDescending(o => o[claim].Worst).ThenBy(o => o.Index).Take(Shown).Select(o => $"{name}: {o[claim].At}"));
         }
 
         LabTable steps = run.Table("Evaluations of a step", "balls", "steps", "median", "99 %", "99.99 %", "most", "at", "verdict");
@@ -49,4 +49,107 @@ internal static class MatchesReport
             evaluations[1].AddTo(steps, "several");
         }
     }
+}
+
+/// <summary>One of the claims that a match is checked against.</summary>
+internal enum MatchClaim
+{
+    Inside,
+    Goals,
+    Rests,
+    Events,
+    Stalled,
+    Finite,
+    Stays,
+    Path,
+    Throws,
+}
+
+/// <summary>The claims of one match, and the work of its steps.</summary>
+internal sealed class MatchOutcome(long index)
+{
+    private readonly (long Broken, double Worst, string At)[] _claims = [.. Enum.GetValues<MatchClaim>().Select(_ => (0L, 0.0, ""))];
+
+    public long Index => index;
+
+    public int Balls { get; init; }
+
+    /// <summary>The evaluations of each step, per ball.</summary>
+    public List<int> Evaluations { get; } = [];
+
+    public Peak<int, FormattableString> MostEvaluations { get; } = new($"");
+
+    /// <summary>The number of violations of a claim, its worst size, and the scene of that size or of the first violation.</summary>
+    public (long Broken, double Worst, string At) this[MatchClaim claim] => _claims[(int)claim];
+
+    /// <summary>Adds a size that a claim bounds.</summary>
+    public void See(MatchClaim claim, double size, bool holds, FormattableString at)
+    {
+        ref (long Broken, double Worst, string At) item = ref _claims[(int)claim];
+        item.Broken += holds ? 0 : 1;
+        if (size > item.Worst || (!holds && item.At.Length == 0))
+        {
+            (item.Worst, item.At) = (Math.Max(size, item.Worst), FormattableString.Invariant($"match {index}, {at}"));
+        }
+    }
+}
+
+/// <summary>The distribution of the evaluations per step and ball.</summary>
+internal sealed class EvaluationCounts
+{
+    /// <summary>The limit of evaluations per step, docs/troubleshooting.md; a larger count is in the last bin.</summary>
+    public const int Most = 32_768;
+
+    private readonly long[] _steps = new long[Most + 2];
+    private readonly Lock _lock = new();
+
+    public long Steps { get; private set; }
+
+    /// <summary>The largest count of a step, and the scene of that step.</summary>
+    private int _largest;
+    private string _largestAt = "";
+
+    /// <summary>Adds the steps of a match, and frees their list.</summary>
+    public void Add(MatchOutcome match)
+    {
+        lock (_lock)
+        {
+            foreach (int count in match.Evaluations)
+            {
+                _steps[Math.Min(count, Most + 1)]++;
+            }
+
+            Steps += match.Evaluations.Count;
+            match.Evaluations.Clear();
+            match.Evaluations.TrimExcess();
+
+            // Of equal counts keep the first text, because matches end in any order.
+            string at = FormattableString.Invariant(match.MostEvaluations.At);
+            int largest = match.MostEvaluations.Most;
+            if (largest > _largest || (largest == _largest && string.CompareOrdinal(at, _largestAt) < 0))
+            {
+                (_largest, _largestAt) = (largest, at);
+            }
+        }
+    }
+
+    /// <summary>Returns the count that a share of the steps does not exceed.</summary>
+    private long At(double share)
+    {
+        long wanted = (long)Math.Ceiling(share * Steps);
+        long seen = 0;
+        for (int i = 0; i < _steps.Length; i++)
+        {
+            seen += _steps[i];
+            if (seen >= wanted)
+            {
+                return i;
+            }
+        }
+
+        return Most + 1;
+    }
+
+    /// <summary>Adds a row.</summary>
+    public void AddTo(LabTable table, string balls) => table.Judge(_largest <= Most, balls, Steps, At(0.5), At(0.99), At(0.9999), _largest, _largestAt);
 }

@@ -31,6 +31,6 @@ public sealed class MatchTracksTests
         }
 
         Assert.Empty(check.Faults);
-        Assert.True(check.Fitted > 0 && check.Refused > 0);
+        Assert.True(check.Counts["fitted"] > 0 && check.Counts["refused by the reader"] > 0);
     }
 }
