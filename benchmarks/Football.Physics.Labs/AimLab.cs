@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
@@ -12,7 +11,7 @@ internal static class AimLab
     private const int Requests = 10_000;
     private const int ScanEvery = 4;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "aim",
@@ -22,7 +21,7 @@ internal static class AimLab
         Option<bool> quick = lab.Quick();
         Option<bool> full = lab.Flag("--full", "Compare every random request that was not hit with the dense scan, not one in four.");
         Option<bool> profiles = lab.Flag("--profiles", "Only the random requests, in both profiles, with weather, wind by height and gusts.");
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             int count = run.Get(quick) ? Requests / 20 : Requests;
             if (run.Get(profiles))

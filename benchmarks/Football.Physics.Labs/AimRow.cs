@@ -79,26 +79,16 @@ internal sealed record AimShot(AimRequest Request, AimResult Result, double Miss
 }
 
 /// <summary>Runs a method on requests, times it, and measures the misses of its kicks.</summary>
-internal sealed class AimBench
+/// <param name="scene">The scene.</param>
+/// <param name="settings">The thesis methods' integrator.</param>
+/// <param name="timeStep">The time step of the thesis methods, s.</param>
+/// <param name="judgeOwn">True if misses are measured in that integrator, not in the reference simulation.</param>
+internal sealed class AimBench(Scene scene, SolverSettings settings, double timeStep, bool judgeOwn = false)
 {
-    private readonly ThesisAimer _aimer;
-    private readonly Simulator _own;
-    private readonly LookAheadRequest _ownSteps;
+    private readonly ThesisAimer _aimer = new(scene, settings, timeStep);
+    private readonly Simulator _own = new(scene, settings);
+    private readonly LookAheadRequest _ownSteps = new() { TimeStep = timeStep, Duration = 30, StopAt = StopAt.Impact };
     private readonly Trajectory _path = new(8192);
-    private readonly bool _judgeOwn;
-
-    /// <summary>Prepares a bench for a scene.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="settings">The thesis methods' integrator.</param>
-    /// <param name="timeStep">The time step of the thesis methods, s.</param>
-    /// <param name="judgeOwn">True if misses are measured in that integrator, not in the reference simulation.</param>
-    public AimBench(Scene scene, SolverSettings settings, double timeStep, bool judgeOwn = false)
-    {
-        _aimer = new ThesisAimer(scene, settings, timeStep);
-        _own = new Simulator(scene, settings);
-        _ownSteps = new LookAheadRequest { TimeStep = timeStep, Duration = 30, StopAt = StopAt.Impact };
-        _judgeOwn = judgeOwn;
-    }
 
     /// <summary>The default scene with RK2.</summary>
     public static AimBench Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
@@ -126,7 +116,7 @@ internal sealed class AimBench
         _aimer.Find(request, method, measure: false);
         double microseconds = Stopwatch.GetElapsedTime(start).TotalMicroseconds;
         AimResult result = _aimer.Find(request, method);
-        return new AimShot(request, result, _judgeOwn ? OwnMiss(request, in result) : result.Miss, microseconds);
+        return new AimShot(request, result, judgeOwn ? OwnMiss(request, in result) : result.Miss, microseconds);
     }
 
     private double OwnMiss(AimRequest request, in AimResult result)

@@ -5,27 +5,21 @@ namespace FootballPhysics.Labs;
 /// the kick went. It judges a kick by the simulated closest approach before the first impact. It then searches every valley down to its minimum. In a
 /// wind the closest kick need not point towards the point where it comes closest, so the scan also searches both angles from the best kick.
 /// </summary>
-internal sealed class AimScan
+internal sealed class AimScan(Scene scene)
 {
     private const double Coarse = 0.05;
     private const double Fine = 0.005;
     private const double Degree = Math.PI / 180;
 
-    private readonly Simulator _simulator;
+    private readonly Simulator _simulator = new(scene);
     private readonly Trajectory _path = new(16384);
     private readonly LookAheadRequest _look = new() { TimeStep = Coarse, Duration = 30, StopAt = StopAt.Impact };
     private readonly LookAheadRequest _lookFine = new() { TimeStep = Fine, Duration = 30, StopAt = StopAt.Impact };
 
-    private readonly bool _windy;
+    private readonly bool _windy = scene.Air.Wind != Vector3d.Zero;
     private double _bestMiss;
     private double _bestElevation;
     private double _bestAzimuth;
-
-    public AimScan(Scene scene)
-    {
-        _simulator = new Simulator(scene);
-        _windy = scene.Air.Wind != Vector3d.Zero;
-    }
 
     /// <summary>Returns the smallest miss of any kick that the scan tries, m.</summary>
     /// <param name="request">The request.</param>

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
@@ -22,7 +21,7 @@ internal static class AnswersLab
     private static readonly (string Name, Action<LabRun, int, int> Ask)[] s_questions =
         [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts), ("arrivals", Arrivals), ("slopes", Slopes), ("frame", Frame)];
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "answers",
@@ -30,7 +29,7 @@ internal static class AnswersLab
             ["football lab answers --only lookahead --seed 7 --count 100"]);
         Option<long> count = lab.Whole("--count", "Kicks, requests and look-aheads of each kind.", 1, 1_000_000, 2000);
         Option<string?> only = lab.Only("QUESTION", "Run one question", s_questions.Select(one => one.Name));
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             foreach ((string name, Action<LabRun, int, int> ask) in s_questions.Where(one => run.Get(only) is not { } wanted || one.Name == wanted))
             {
@@ -171,7 +170,7 @@ internal static class FrameChances
                 BallState ball = simulator.Launch(from, velocity, spin);
                 log.Clear();
                 simulator.Run(ref ball, 0.01, 2.5, StopAt.Time, log);
-                own += log.Events.Span.ToArray().Count(happened => happened.Kind == BallEventKind.Goal);
+                own += log.Events.Count(BallEventKind.Goal);
             }
 
             Interlocked.Add(ref goals, own);

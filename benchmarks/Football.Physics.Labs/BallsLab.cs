@@ -1,6 +1,4 @@
-using System.CommandLine;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs;
@@ -26,11 +24,11 @@ internal static class BallsLab
         ("jabulani", BallProperties.Jabulani), ("brazuca", BallProperties.Brazuca),
     ];
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "balls",
         "Drag and lift coefficients of each ball by speed and spin, in the published and the measured profile.",
         ["football lab balls", "football lab balls --csv balls.csv --plot balls.svg"],
-        isDrawn: true).Command(terminal, Run);
+        isDrawn: true).Plays(Run);
 
     private static void Run(LabRun run)
     {

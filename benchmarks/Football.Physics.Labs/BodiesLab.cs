@@ -1,7 +1,4 @@
-using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -41,10 +38,10 @@ internal static class BodiesLab
         Corrected,
     }
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "bodies",
         "How far a rigid body, stepped as engines do, misses the library's own flight at 10, 20 and 30 m, with the air's forces from Aerodynamics.",
-        ["football lab bodies"]).Command(terminal, Run);
+        ["football lab bodies"]).Plays(Run);
 
     private static void Run(LabRun run)
     {

@@ -1,8 +1,5 @@
-using System.CommandLine;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -16,11 +13,11 @@ internal static class ConsistencyLab
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "consistency",
         "Distances between the landing points of 250 shots, each with three time steps (Test 3.4.2 of the original thesis).",
         ["football lab consistency --seed 3 --json consistency.json"],
-        isDrawn: true).Command(terminal, Run);
+        isDrawn: true).Plays(Run);
 
     private static void Run(LabRun run)
     {

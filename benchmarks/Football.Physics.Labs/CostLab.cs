@@ -1,9 +1,6 @@
-using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -18,11 +15,11 @@ internal static class CostLab
 
     private const int WarmUp = 60;
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "cost",
         "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
         ["football lab cost --quick"],
-        isDrawn: true).QuickCommand(terminal, (run, quick) => Run(run, quick ? Frames / 100 : Frames, quick ? 1 : WarmUp));
+        isDrawn: true).PlaysQuick((run, quick) => Run(run, quick ? Frames / 100 : Frames, quick ? 1 : WarmUp));
 
     private static void Run(LabRun run, int frames, int warmUp)
     {

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Labs.Fuzz;
 
@@ -13,7 +12,7 @@ internal static class FuzzLab
     private const long Most = 1_000_000_000_000;
     private const int LongestInput = 4000;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "fuzz",
@@ -21,7 +20,7 @@ internal static class FuzzLab
             ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Inputs of each kind.", 1, Most, ByDefault);
         Option<long> jobs = lab.Jobs("Threads; default: one per processor.");
-        return lab.Command(terminal, run => Run(run, run.Get(count), run.Int(jobs), FuzzTarget.All));
+        return lab.Plays(run => Run(run, run.Get(count), run.Int(jobs), FuzzTarget.All));
     }
 
     /// <summary>Tries inputs of several kinds.</summary>

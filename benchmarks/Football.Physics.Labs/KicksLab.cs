@@ -1,6 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>football lab kicks: kicks that were measured, filmed or described, simulated with both profiles.</summary>
@@ -23,10 +20,10 @@ internal static class KicksLab
     /// <summary>The number of seeds of the knuckle force that are simulated.</summary>
     private const int Seeds = 200;
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "kicks",
         "Known kicks (measured, filmed or reported), compared with both profiles, including those that neither reproduces.",
-        ["football lab kicks", "football lab kicks --csv kicks.csv"]).Command(terminal, Run);
+        ["football lab kicks", "football lab kicks --csv kicks.csv"]).Plays(Run);
 
     /// <summary>All rows.</summary>
     public static IReadOnlyList<ReportedKick> Kicks { get; } =

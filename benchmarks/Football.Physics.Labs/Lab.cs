@@ -10,6 +10,7 @@ namespace FootballPhysics.Labs;
 internal sealed class Lab
 {
     private readonly ExampleCommand _command;
+    private Action<LabRun> _play = _ => { };
     private readonly Option<long> _seed = Arguments.Whole("--seed", "Seed of the random values.", long.MinValue, long.MaxValue, 1);
     private readonly Option<string?> _json = new("--json") { HelpName = "FILE", Description = "Write the tables as JSON." };
     private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE", Description = "Write the tables as CSV." };
@@ -37,7 +38,12 @@ internal sealed class Lab
         return option;
     }
 
-    public Option<long> Whole(string name, string description, long low, long high, long fallback) => Add(Arguments.Whole(name, description, low, high, fallback));
+    /// <summary>Creates an option for a whole number.</summary>
+    public static Option<long> Number(string name, string description, long low, long high, long fallback) => Arguments.Whole(name, description, low, high, fallback);
+
+    public Option<long> Whole(string name, string description, long low, long high, long fallback) => Add(Number(name, description, low, high, fallback));
+
+    public Option<long?> WholeOrNone(string name, string description, long high) => Add(Arguments.Whole(name, description, 0, high));
 
     public Option<long> Jobs(string description) => Add(Arguments.Jobs(description));
 
@@ -55,28 +61,35 @@ internal sealed class Lab
         return only;
     }
 
-    /// <summary>Returns the command.</summary>
-    public Command Command(Terminal terminal, Action<LabRun> play)
+    /// <summary>Sets the experiment.</summary>
+    public Lab Plays(Action<LabRun> play)
     {
-        _command.SetAction(parsed => Run(parsed, terminal, play));
+        _play = play;
+        return this;
+    }
+
+    /// <summary>Sets an experiment with one option, a number.</summary>
+    public Lab Plays(Option<long> option, Action<LabRun, int> play)
+    {
+        Add(option);
+        return Plays(run => play(run, run.Int(option)));
+    }
+
+    /// <summary>Sets an experiment whose option is a smaller sample.</summary>
+    public Lab PlaysQuick(Action<LabRun, bool> play)
+    {
+        Option<bool> quick = Quick();
+        return Plays(run => play(run, run.Get(quick)));
+    }
+
+    /// <summary>Returns the command.</summary>
+    public Command Command(Terminal terminal)
+    {
+        _command.SetAction(parsed => Run(parsed, terminal));
         return _command;
     }
 
-    /// <summary>Returns the command of an experiment with one option, a number.</summary>
-    public Command Command(Terminal terminal, Option<long> option, Action<LabRun, int> play)
-    {
-        Add(option);
-        return Command(terminal, run => play(run, run.Int(option)));
-    }
-
-    /// <summary>Returns the command of an experiment whose option is a smaller sample.</summary>
-    public Command QuickCommand(Terminal terminal, Action<LabRun, bool> play)
-    {
-        Option<bool> quick = Quick();
-        return Command(terminal, run => play(run, run.Get(quick)));
-    }
-
-    private int Run(ParseResult parsed, Terminal terminal, Action<LabRun> play)
+    private int Run(ParseResult parsed, Terminal terminal)
     {
         using PlotFile? plot = parsed.GetValue(_plot) is { } picture ? PlotFile.For(picture) : null;
         OutputFile.RefuseSame([], ("--json", parsed.GetValue(_json)), ("--csv", parsed.GetValue(_csv)));
@@ -85,7 +98,7 @@ internal sealed class Lab
         LabRun run = Progress.Show(terminal, _command.Name, progress =>
         {
             var run = new LabRun(_command.Name, parsed.GetValue(_seed), progress, parsed, terminal);
-            play(run);
+            _play(run);
             return run;
         });
         foreach (LabTable table in run.Tables)

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>Small computations that the laboratories share. References that are independent of the library use them too, so nothing here calls its contacts.</summary>
@@ -55,6 +53,9 @@ internal static class LabMath
 
         return high;
     }
+
+    /// <summary>Returns the number of events of a kind.</summary>
+    public static int Count(this EventBuffer events, BallEventKind kind) => events.Span.ToArray().Count(item => item.Kind == kind);
 
     /// <summary>Launches a ball and simulates it to an end.</summary>
     public static BallState Fly(

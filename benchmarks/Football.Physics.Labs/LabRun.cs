@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Xml.Linq;
 using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 

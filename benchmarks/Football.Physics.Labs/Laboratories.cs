@@ -18,38 +18,22 @@ namespace FootballPhysics.Labs;
 /// <summary>football lab: the experiments that measure the library.</summary>
 internal static class Laboratories
 {
-    public static Command Create(Terminal terminal) => new ExampleCommand(
-        "lab",
-        "Run accuracy and stability experiments (needs a checkout)",
-        "football lab",
-        "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg")
+    public static Command Create(Terminal terminal)
     {
-        VacuumLab.Create(terminal),
-        ConsistencyLab.Create(terminal),
-        CostLab.Create(terminal),
-        PrecisionLab.Create(terminal),
-        StabilityLab.Create(terminal),
-        AimLab.Create(terminal),
-        AnswersLab.Create(terminal),
-        FuzzLab.Create(terminal),
-        BallsLab.Create(terminal),
-        BodiesLab.Create(terminal),
-        RigsLab.Create(terminal),
-        KicksLab.Create(terminal),
-        SweepLab.Create(terminal),
-        InterceptLab.Create(terminal),
-        DerivativesLab.Create(terminal),
-        BankShotLab.Create(terminal),
-        ScatterLab.Create(terminal),
-        FitLab.Create(terminal),
-        CameraLab.Create(terminal),
-        ObstaclesLab.Create(terminal),
-        GoalsLab.Create(terminal),
-        MatchesLab.Create(terminal),
-        PeopleLab.Create(terminal),
-        PlayLab.Create(terminal),
-        ScenesLab.Create(terminal),
-        StressLab.Create(terminal),
-        ZonesLab.Create(terminal),
-    };
+        var command = new ExampleCommand(
+            "lab", "Run accuracy and stability experiments (needs a checkout)", "football lab", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg");
+        foreach (Lab lab in (Lab[])
+        [
+            VacuumLab.Create(), ConsistencyLab.Create(), CostLab.Create(), PrecisionLab.Create(), StabilityLab.Create(), AimLab.Create(),
+            AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
+            InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
+            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
+            StressLab.Create(), ZonesLab.Create(),
+        ])
+        {
+            command.Add(lab.Command(terminal));
+        }
+
+        return command;
+    }
 }

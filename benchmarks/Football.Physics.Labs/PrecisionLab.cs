@@ -1,9 +1,6 @@
-using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -24,11 +21,11 @@ internal static class PrecisionLab
         LocateJump = false,
     };
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "precision",
         "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
         ["football lab precision --quick --plot precision.svg"],
-        isDrawn: true).QuickCommand(terminal, Run);
+        isDrawn: true).PlaysQuick(Run);
 
     private static void Run(LabRun run, bool quick)
     {

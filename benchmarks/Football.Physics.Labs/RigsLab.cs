@@ -1,6 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>football lab rigs: the results of FIFA's rigs for pitches on every surface of both profiles, next to the windows of the tests.</summary>
@@ -42,10 +39,10 @@ internal static class RigsLab
         Published("publishedSand", Ground.Presets["publishedSand"], null),
     ];
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "rigs",
         "FIFA's three pitch tests on every surface: drop from 2 m, shot of 50 km/h at 15°, roll from a ramp of 1 m, and the ranges that the tests accept.",
-        ["football lab rigs", "football lab rigs --csv rigs.csv"]).Command(terminal, Run);
+        ["football lab rigs", "football lab rigs --csv rigs.csv"]).Plays(Run);
 
     /// <summary>Returns the height of the bounce from 2 m, at the ball's lowest point, m.</summary>
     public static double Drop(Scene scene)

@@ -2,7 +2,6 @@ using System.CommandLine;
 using FootballPhysics.Labs.Stability;
 using FootballPhysics.Labs.Stability.Things;
 using FootballPhysics.Scenarios;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
@@ -11,7 +10,7 @@ internal static class StabilityLab
 {
     private const long MostScenes = 1_000_000_000_000;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         SceneSet ordinary = new StressSet(1, Profile.Measured);
         SceneSet strange = new HostileSet(1);
@@ -32,7 +31,7 @@ internal static class StabilityLab
             Description = "Profile of laws and ground; hostile scenes have their own.",
             DefaultValueFactory = _ => Profile.Measured,
         });
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             SceneSet set = run.Get(things) ? new ThingsSet(run.Seed) : run.Get(hostile) ? new HostileSet(run.Seed) : new StressSet(run.Seed, run.Get(profile));
             run.Name = set.Name;

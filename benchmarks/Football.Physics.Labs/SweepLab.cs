@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.Text;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Formats;
 using FootballPhysics.Tool.Sweep.Output;
 using FootballPhysics.Tool.Sweep;
@@ -21,7 +20,7 @@ internal static class SweepLab
     /// <summary>The number of balls of a batch: they fit the caches, as in a sweep.</summary>
     private const int Balls = 4096;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "sweep",
@@ -30,7 +29,7 @@ internal static class SweepLab
         Option<long> count = lab.Whole("--count", "Rows per run.", 1, 1_000_000_000, 300_000);
         Option<long> jobs = lab.Jobs("Maximum number of threads; default: one per processor.");
         Option<string?> folder = lab.Add(new Option<string?>("--folder") { HelpName = "DIR", Description = "Folder for the rows, which are deleted afterwards; default: the folder for temporary files." });
-        return lab.Command(terminal, run => Run(run, run.Get(count), run.Int(jobs), run.Get(folder) ?? Path.GetTempPath()));
+        return lab.Plays(run => Run(run, run.Get(count), run.Int(jobs), run.Get(folder) ?? Path.GetTempPath()));
     }
 
     private static void Run(LabRun run, long count, int jobs, string folder)

@@ -1,7 +1,4 @@
-using System.CommandLine;
 using FootballPhysics.Drawing;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -20,11 +17,11 @@ internal static class VacuumLab
         [Integrator.Rk4] = [0.014, 0.025, 0.044],
     };
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "vacuum",
         "Landing points of 50 shots in vacuum, compared with the closed form (Table 3.1 of the original thesis).",
         ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],
-        isDrawn: true).Command(terminal, Run);
+        isDrawn: true).Plays(Run);
 
     private static void Run(LabRun run)
     {

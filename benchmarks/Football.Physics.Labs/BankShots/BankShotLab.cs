@@ -1,7 +1,4 @@
-using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.BankShots;
 
@@ -21,10 +18,10 @@ internal static class BankShotLab
         Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame }],
     };
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "bankshots",
         "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
-        ["football lab bankshots --requests 1 --seed 7"]).Command(terminal, Arguments.Whole("--requests", "Requests of each kind.", 1, 100_000, 2), Run);
+        ["football lab bankshots --requests 1 --seed 7"]).Plays(Lab.Number("--requests", "Requests of each kind.", 1, 100_000, 2), Run);
 
     private static void Run(LabRun run, int requests)
     {

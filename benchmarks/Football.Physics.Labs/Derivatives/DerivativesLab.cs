@@ -1,13 +1,11 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>football lab derivatives: compares derivatives of random flights by the launch with central differences of the simulation.</summary>
 internal static class DerivativesLab
 {
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "derivatives",
@@ -15,7 +13,7 @@ internal static class DerivativesLab
             ["football lab derivatives", "football lab derivatives --flights 2 --seed 7"]);
         Option<long> flights = lab.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 3);
         Option<long> step = lab.Whole("--step", "Time step in ms.", 1, 20, 10);
-        return lab.Command(terminal, run => Run(run, run.Int(flights), 0.001 * run.Get(step)));
+        return lab.Plays(run => Run(run, run.Int(flights), 0.001 * run.Get(step)));
     }
 
     private static void Run(LabRun run, int flights, double timeStep)

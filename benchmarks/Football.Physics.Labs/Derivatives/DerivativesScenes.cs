@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>The scenes and launches of the flights whose derivatives are compared.</summary>

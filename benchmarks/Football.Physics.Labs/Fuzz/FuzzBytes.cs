@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 

@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using FootballPhysics.Yardsticks;
+using System.Diagnostics.CodeAnalysis;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -27,6 +27,21 @@ internal abstract class FuzzTarget
 
     /// <summary>Returns the input as text for messages.</summary>
     public virtual string Text(byte[] input) => Convert.ToHexString(input);
+
+    /// <summary>Reads an input. Returns false if the reader rejects it: with a <see cref="FormatException"/>, or by the name of a parameter.</summary>
+    protected static bool IsAccepted<T>(Func<T> read, [MaybeNullWhen(false)] out T value, string? parameter = null)
+    {
+        try
+        {
+            value = read();
+            return true;
+        }
+        catch (Exception e) when (e is FormatException || (e is ArgumentException refusal && refusal.ParamName == parameter && parameter is not null))
+        {
+            value = default;
+            return false;
+        }
+    }
 
     /// <summary>Throws if a condition does not hold.</summary>
     protected static void Must(bool holds, string what)

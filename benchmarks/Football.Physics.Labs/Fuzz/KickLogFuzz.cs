@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -62,12 +61,7 @@ internal sealed class KickLogFuzz : FuzzTarget
 
     public override bool Try(byte[] input)
     {
-        KickLog log;
-        try
-        {
-            log = KickLog.FromBytes(input);
-        }
-        catch (FormatException)
+        if (!IsAccepted<KickLog>(() => KickLog.FromBytes(input), out KickLog? log))
         {
             return true;
         }

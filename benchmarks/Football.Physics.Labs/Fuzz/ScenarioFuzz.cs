@@ -2,7 +2,6 @@ using System.Text;
 using System.Text.Json.Nodes;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 

@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -75,12 +74,7 @@ internal sealed class SnapshotFuzz : FuzzTarget
 
     public override bool Try(byte[] input)
     {
-        BallState state;
-        try
-        {
-            state = Snapshot.Read(input);
-        }
-        catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
+        if (!IsAccepted(() => Snapshot.Read(input), out BallState state, "source"))
         {
             return true;
         }

@@ -1,7 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Goals;
 
 /// <summary>football lab goals: checks that every goal is reported, and nothing else.</summary>
@@ -14,10 +10,10 @@ internal static class GoalsLab
         (GoalCount.Missed, true), (GoalCount.Wrong, true), (GoalCount.Undecided, false), (GoalCount.Cut, true),
     ];
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "goals",
         "Random shots within 25 m of a goal, with rebounds: the goal event, compared with an independent check of the path.",
-        ["football lab goals", "football lab goals --shots 200 --seed 7"]).Command(terminal, Arguments.Whole("--shots", "Number of shots.", 1, 100_000_000, 300), Run);
+        ["football lab goals", "football lab goals --shots 200 --seed 7"]).Plays(Lab.Number("--shots", "Number of shots.", 1, 100_000_000, 300), Run);
 
     private static void Run(LabRun run, int shots)
     {
@@ -68,7 +64,7 @@ internal sealed class GoalCount
     /// <summary>Simulates a shot. Returns true if events and sampled path agree.</summary>
     public bool Add(SeededRandom random)
     {
-        var shot = new GoalShot(random);
+        GoalShot shot = GoalShot.Draw(random);
         BallState start = shot.Start;
         shot.Simulator.LookAhead(in start, new LookAheadRequest { Duration = Longest, TimeStep = shot.TimeStep }, _path);
         var watch = new GoalWatch(shot.Goal, shot.Simulator.Scene.Ball.Radius);

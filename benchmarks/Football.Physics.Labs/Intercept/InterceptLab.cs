@@ -1,16 +1,12 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>football lab intercept: compares windows of random runners on random flights with a dense scan.</summary>
 internal static class InterceptLab
 {
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "intercept",
         "Interception by random runners on random flights, compared with a scan in steps of 0.1 ms.",
-        ["football lab intercept", "football lab intercept --flights 40 --seed 7"]).Command(terminal, Arguments.Whole("--flights", "Number of flights, alternating between the profiles.", 2, 10_000_000, 100), Run);
+        ["football lab intercept", "football lab intercept --flights 40 --seed 7"]).Plays(Lab.Number("--flights", "Number of flights, alternating between the profiles.", 2, 10_000_000, 100), Run);
 
     private static void Run(LabRun run, int flights)
     {
@@ -151,23 +147,13 @@ internal sealed class InterceptCheck(Scene scene)
 }
 
 /// <summary>Finds when a runner can reach a ball by sampling: the reference for the search with bounds.</summary>
-internal sealed class MeetingScan
+internal sealed class MeetingScan(Trajectory path)
 {
     private const double Step = 1e-4;
     private const double Closeness = 1e-10;
 
-    private readonly Trajectory _path;
-    private readonly Vector3d[] _places;
-
-    public MeetingScan(Trajectory path)
-    {
-        _path = path;
-        _places = new Vector3d[(int)Math.Ceiling((path.EndTime - path.StartTime) / Step) + 1];
-        for (int i = 0; i < _places.Length; i++)
-        {
-            _places[i] = path.PositionAt(TimeOf(i));
-        }
-    }
+    private readonly Vector3d[] _places =
+        [.. Enumerable.Range(0, (int)Math.Ceiling((path.EndTime - path.StartTime) / Step) + 1).Select(i => path.PositionAt(TimeOf(path, i)))];
 
     /// <summary>Returns the windows, with ends to 0.1 ns. Windows shorter than a step of the scan are found only by chance.</summary>
     public List<(double From, double To)> Windows(Player runner)
@@ -177,13 +163,13 @@ internal sealed class MeetingScan
         double from = 0;
         for (int i = 0; i < _places.Length; i++)
         {
-            bool meets = Meets(runner, TimeOf(i), _places[i]);
+            bool meets = Meets(runner, TimeOf(path, i), _places[i]);
             if (meets == inside)
             {
                 continue;
             }
 
-            double change = i == 0 ? TimeOf(0) : LabMath.Bisect(TimeOf(i - 1), TimeOf(i), time => Meets(runner, time) == meets, Closeness);
+            double change = i == 0 ? TimeOf(path, 0) : LabMath.Bisect(TimeOf(path, i - 1), TimeOf(path, i), time => Meets(runner, time) == meets, Closeness);
             inside = meets;
             if (meets)
             {
@@ -197,14 +183,14 @@ internal sealed class MeetingScan
 
         if (inside)
         {
-            windows.Add((from, _path.EndTime));
+            windows.Add((from, path.EndTime));
         }
 
         return windows;
     }
 
     /// <summary>True if the runner reaches the ball at a time, by the literal definition.</summary>
-    public bool Meets(Player runner, double time) => Meets(runner, time, _path.PositionAt(time));
+    public bool Meets(Player runner, double time) => Meets(runner, time, path.PositionAt(time));
 
     private static bool Meets(Player runner, double time, Vector3d ball)
     {
@@ -216,5 +202,5 @@ internal sealed class MeetingScan
         return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.MinimumHeight - 1e-9 && ball.Y <= runner.MaximumHeight + 1e-9;
     }
 
-    private double TimeOf(int i) => Math.Min(_path.StartTime + (i * Step), _path.EndTime);
+    private static double TimeOf(Trajectory path, int i) => Math.Min(path.StartTime + (i * Step), path.EndTime);
 }

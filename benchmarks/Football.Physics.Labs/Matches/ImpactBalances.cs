@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 

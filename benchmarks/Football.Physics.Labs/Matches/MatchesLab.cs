@@ -1,12 +1,11 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>football lab matches: players in time, touches at a player's feet, impacts between objects with a mass, several balls.</summary>
 internal static class MatchesLab
 {
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "matches",
@@ -15,7 +14,7 @@ internal static class MatchesLab
         Option<long> count = lab.Whole("--count", "Number of matches, dribbles, first-time shots and traps each.", 1, 1_000_000, 1000);
         Option<long> impacts = lab.Whole("--impacts", "Number of impacts to check.", 1, 1_000_000_000, 1_000_000);
         Option<string?> only = lab.Only("PART", "Run one part", ["rollbacks", "dribbles", "shots", "traps", "impacts", "cost", "jumps"]);
-        return lab.Command(terminal, run => Run(run, run.Int(count), run.Get(impacts), run.Get(only)));
+        return lab.Plays(run => Run(run, run.Int(count), run.Get(impacts), run.Get(only)));
     }
 
     private static void Run(LabRun run, int count, long impacts, string? only)
@@ -23,9 +22,9 @@ internal static class MatchesLab
         foreach ((string part, Action play) in new (string, Action)[]
         {
             ("rollbacks", () => RollbackCounts.Play(run, count)),
-            ("dribbles", () => DribbleCounts.Play(run, count)),
-            ("shots", () => FirstTimeCounts.Play(run, count)),
-            ("traps", () => TrapCounts.Play(run, count)),
+            ("dribbles", () => new TouchCounts(run, count).Dribbles()),
+            ("shots", () => new TouchCounts(run, count).FirstTimeShots()),
+            ("traps", () => new TouchCounts(run, count).Traps()),
             ("impacts", () => ImpactBalances.Play(run, impacts)),
             ("cost", () => SeveralCost.Play(run)),
             ("jumps", () => JumpCost.Play(run)),

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Compares matches whose kicks arrive late, at frames of several lengths, with the same matches and all kicks in time.</summary>
@@ -33,10 +31,7 @@ internal static class RollbackCounts
         Kind[] kinds = [Kind.CallbackBodies, Kind.KeptBodies, Kind.CallbackEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
         for (int k = 0; k < kinds.Length; k++)
         {
-            int apart = 0;
-            int runs = 0;
-            int kicks = 0;
-            int late = 0;
+            var counts = new LabCounts();
 
             // All matches for bodies and halls, a quarter of them for the other kinds.
             int matches = kinds[k] is Kind.CallbackBodies or Kind.Hall ? count : Math.Max(1, count / 4);
@@ -44,10 +39,10 @@ internal static class RollbackCounts
             {
                 int kind = k;
                 run.Progress.Report((k * count) + i, kinds.Length * count, () => Name(kinds[kind]));
-                Play(kinds[k], run.Random((k * 1_000_003L) + i), ref runs, ref kicks, ref late, ref apart);
+                Play(kinds[k], run.Random((k * 1_000_003L) + i), counts);
             }
 
-            table.Judge(apart == 0, Name(kinds[k]), matches, runs, kicks, late, apart);
+            table.Judge(counts["balls apart"] == 0, [Name(kinds[k]), matches, .. counts.Cells("runs", "kicks", "late", "balls apart")]);
         }
 
         table.Judge(RefusesUnknown(engine: false) & RefusesUnknown(engine: true), "nobody says where: refused by name", 2, 2, null, null, null);
@@ -62,12 +57,12 @@ internal static class RollbackCounts
         _ => "bodies in a cage with nets and wind, by MoveBodies, wire form",
     };
 
-    private static void Play(Kind kind, SeededRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
+    private static void Play(Kind kind, SeededRandom random, LabCounts counts)
     {
         var squad = new Squad(random);
         KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1, kind == Kind.Hall ? 25 : 9);
         int[] delays = [.. all.Select(_ => 1 + random.Below(MostLate))];
-        kicks += all.Length;
+        counts.Add("kicks", all.Length);
 
         // Reference: kicks in time, one tick at a time.
         FixedStepRunner inTime = Runner(kind, squad);
@@ -104,7 +99,7 @@ internal static class RollbackCounts
                         break;
                     }
 
-                    late += rollback.ApplyKick(in all[i]) is not null ? 1 : 0;
+                    counts.AddIf(rollback.ApplyKick(in all[i]) is not null, "late");
                     next = i + 1;
                 }
 
@@ -120,14 +115,14 @@ internal static class RollbackCounts
 
             for (; next < all.Length; next++)
             {
-                late += rollback.ApplyKick(in all[next]) is not null ? 1 : 0;
+                counts.AddIf(rollback.ApplyKick(in all[next]) is not null, "late");
             }
 
-            runs++;
+            counts.Add("runs");
             for (int ball = 0; ball < runner.Balls; ball++)
             {
                 BallState one = runner.StateOf(ball);
-                apart += Snapshot.Same(in one, in states[runner.Tick][ball]) ? 0 : 1;
+                counts.AddIf(!Snapshot.Same(in one, in states[runner.Tick][ball]), "balls apart");
             }
         }
     }

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Twenty-two players who run in curves, as bodies or as the colliders of an engine.</summary>

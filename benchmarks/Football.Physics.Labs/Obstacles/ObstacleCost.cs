@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Obstacles;
 

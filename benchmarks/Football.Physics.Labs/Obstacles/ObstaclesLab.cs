@@ -1,7 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>football lab obstacles: the cost and accuracy of hits, compared with the method of a rigid-body engine.</summary>
@@ -12,10 +8,10 @@ internal static class ObstaclesLab
     private static readonly double[] s_speeds = [10, 20, 40, 60, 100];
     private static readonly double[] s_steps = [1.0 / 120, 1.0 / 60, 1.0 / 30];
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "obstacles",
         "Obstacles compared with a rigid-body engine: cost by their number, shots that tunnel through a post, and the error of a rebound.",
-        ["football lab obstacles --quick"]).QuickCommand(terminal, Run);
+        ["football lab obstacles --quick"]).PlaysQuick(Run);
 
     private static void Run(LabRun run, bool quick)
     {

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline. Compares its time of rest with the same kick on open ground.</summary>
@@ -22,22 +20,21 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
 
     private readonly Simulator _open = new(new Scene());
 
-    public PeopleClaim SlidLong { get; } = new("flat into an edge: slides in it for more than 2 s");
-
-    public PeopleClaim Restless { get; } = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim SlidLong = new("flat into an edge: slides in it for more than 2 s");
+    public readonly PeopleClaim Restless = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>
     /// Counts balls at rest later than on open ground, from the last hit or support by a board. A ball counts only if it is later than both with the same
     /// motion and with all its energy as rolling, because spin at a board may drive the ball on with that energy.
     /// </summary>
-    public PeopleClaim Later { get; } =
+    public readonly PeopleClaim Later =
         new("flat into an edge: at rest later than with its energy on open ground, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>Counts balls at rest later than on open ground from there with the same motion.</summary>
-    public PeopleClaim SpinLater { get; } = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
+    public readonly PeopleClaim SpinLater = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     /// <summary>Counts balls at rest later than the same kick on open ground: a board that returns a spinning ball turns its backspin into topspin.</summary>
-    public PeopleClaim Turned { get; } = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
+    public readonly PeopleClaim Turned = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     public override PeopleClaim[] Claims => [SlidLong, Restless, Later, SpinLater, Turned];
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>One moving object and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
@@ -14,11 +12,9 @@ internal sealed class Meetings() : PeopleCases("one thing and a ball")
         new SphereShape(new Vector3d(0, 0.3, 0), 0.12),
     ];
 
-    public PeopleClaim TooFast { get; } = new("met by one: faster than a rigid hit explains");
-
-    public PeopleClaim InGround { get; } = new("met by one: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Overlap { get; } = new("met by one: in what moves, m", ClaimParts.Worst);
+    public readonly PeopleClaim TooFast = new("met by one: faster than a rigid hit explains");
+    public readonly PeopleClaim InGround = new("met by one: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Overlap = new("met by one: in what moves, m", ClaimParts.Worst);
 
     public override PeopleClaim[] Claims => [TooFast, InGround, Overlap];
 

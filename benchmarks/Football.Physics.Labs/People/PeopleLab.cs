@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.People;
 
@@ -17,7 +16,7 @@ internal sealed class PeopleLab(LabRun run)
     private readonly LabTable _steps = run.Table("Steps", "of the balls", "how many", "steps", "most events", "most evaluations", "slowest step, ms", "steps > 1 ms", "bytes", "verdict");
     private readonly LabTable _claims = run.Table("Claims", "what", "of", "count", "worst", "verdict");
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "people",
@@ -32,7 +31,7 @@ internal sealed class PeopleLab(LabRun run)
         Option<long> pinches = lab.Whole("--pinches", "Balls that two players squeeze.", 0, Most, 60);
         Option<long> meetings = lab.Whole("--meetings", "Balls on open ground that one body runs into.", 0, Most, 60);
         Option<long> hits = lab.Whole("--hits", "Flat kicks into the edge of board and ground.", 0, Most, 60);
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             var play = new PeopleLab(run);
             PressKind[] kinds = Enum.GetValues<PressKind>();

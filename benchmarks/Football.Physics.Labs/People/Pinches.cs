@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Two players run at a ball that lies or falls between them, each at his own speed and a little aside.</summary>
@@ -13,16 +11,13 @@ internal sealed class Pinches() : PeopleCases("between two players")
     /// <summary>The rounding error of the paths, as a share of a speed.</summary>
     private const double Rounding = 1e-6;
 
-    public PeopleClaim TooFast { get; } = new("pinched: faster than it may be, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Beyond20 { get; } = new("pinched: faster than 20 m/s, m/s", ClaimParts.Count | ClaimParts.Worst);
-
-    public PeopleClaim Squeezed { get; } = new("pinched: squeezed", ClaimParts.Count);
+    public readonly PeopleClaim TooFast = new("pinched: faster than it may be, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Beyond20 = new("pinched: faster than 20 m/s, m/s", ClaimParts.Count | ClaimParts.Worst);
+    public readonly PeopleClaim Squeezed = new("pinched: squeezed", ClaimParts.Count);
 
     /// <summary>Squeezes that had not ended after the players had passed each other.</summary>
-    public PeopleClaim Unending { get; } = new("pinched: squeezed when the players have passed");
-
-    public PeopleClaim InGround { get; } = new("pinched: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Unending = new("pinched: squeezed when the players have passed");
+    public readonly PeopleClaim InGround = new("pinched: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     public override PeopleClaim[] Claims => [TooFast, Beyond20, Squeezed, Unending, InGround];
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>The kinds of objects that a ball is pressed against.</summary>
@@ -22,9 +20,8 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
     private static readonly Vector3d s_foot = new(0, 0, -5);
     private static readonly Vector3d s_tip = new(0, 2.5, -5);
 
-    public PeopleClaim Inside { get; } = new($"pressed: {kind}: a frame ends inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Behind { get; } = new($"pressed: {kind}: ends behind a board");
+    public readonly PeopleClaim Inside = new($"pressed: {kind}: a frame ends inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Behind = new($"pressed: {kind}: ends behind a board");
 
     public override PeopleClaim[] Claims => [Inside, Behind];
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>
@@ -225,10 +223,8 @@ internal sealed class Stadium
         Vector3d way = (goal - place).Horizontal;
         double far = way.Length;
         Vector3d wanted = stands || far < 1e-9 ? Vector3d.Zero : Math.Min(IsDead ? 4 : 8, 2.5 * far) / far * way;
-        Vector3d change = wanted - player.Velocity;
-        double most = 7 * duration;
-        Vector3d velocity = player.Velocity + (change.Length > most ? most / change.Length * change : change);
-        player.Velocity = velocity.Length < 1e-3 ? Vector3d.Zero : velocity;
+        player.Accelerate(wanted, 7 * duration);
+        player.Velocity = player.Velocity.Length < 1e-3 ? Vector3d.Zero : player.Velocity;
     }
 
     /// <summary>Draws a pass, a cross, a drive, a lob, a shot or a touch.</summary>

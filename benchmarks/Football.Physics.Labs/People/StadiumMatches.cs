@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Simulates matches and checks after every step the invariants of any match: each millisecond of the path, energy, look-ahead, rewind, rest.</summary>
@@ -24,27 +22,20 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
     private readonly StepLog _log = new();
     private readonly byte[] _bytes = new byte[Snapshot.Size];
 
-    public PeopleClaim Kicks { get; } = new("matches: kicks", ClaimParts.Count);
-
-    public PeopleClaim Goals { get; } = new("matches: goals", ClaimParts.Count);
-
-    public PeopleClaim Squeezes { get; } = new("matches: squeezes", ClaimParts.Count);
+    public readonly PeopleClaim Kicks = new("matches: kicks", ClaimParts.Count);
+    public readonly PeopleClaim Goals = new("matches: goals", ClaimParts.Count);
+    public readonly PeopleClaim Squeezes = new("matches: squeezes", ClaimParts.Count);
 
     /// <summary>The positions on the path.</summary>
-    public PeopleClaim Inside { get; } = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Left { get; } = new("matches: the ball left the stadium");
+    public readonly PeopleClaim Inside = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Left = new("matches: the ball left the stadium");
 
     /// <summary>The steps without a body near the ball.</summary>
-    public PeopleClaim Made { get; } = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Elsewhere { get; } = new("matches: look-ahead of a step goes elsewhere");
-
-    public PeopleClaim RewoundElsewhere { get; } = new("matches: played again goes elsewhere");
-
-    public PeopleClaim Hung { get; } = new("matches: dead ball hangs still in a net", ClaimParts.Count);
-
-    public PeopleClaim Restless { get; } = new("matches: dead ball not at rest in 19 s");
+    public readonly PeopleClaim Made = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Elsewhere = new("matches: look-ahead of a step goes elsewhere");
+    public readonly PeopleClaim RewoundElsewhere = new("matches: played again goes elsewhere");
+    public readonly PeopleClaim Hung = new("matches: dead ball hangs still in a net", ClaimParts.Count);
+    public readonly PeopleClaim Restless = new("matches: dead ball not at rest in 19 s");
 
     public override PeopleClaim[] Claims => [Kicks, Goals, Squeezes, Inside, Left, Made, Elsewhere, RewoundElsewhere, Hung, Restless];
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Spheres of an engine that lie about a pitch; every second one moves. They throw after very many sphere casts, to end a step that never ends.</summary>
@@ -47,10 +45,8 @@ internal sealed class StadiumSpheres : IEngineColliders
         }
     }
 
-    /// <inheritdoc/>
     public double Time { get; set; }
 
-    /// <inheritdoc/>
     public double MaximumSpeed => Count > 0 ? Fastest : 0;
 
     public int Count => _colliders.Length;
@@ -58,7 +54,6 @@ internal sealed class StadiumSpheres : IEngineColliders
     /// <summary>Starts to count the casts of the next step or look-ahead.</summary>
     public void Begin() => _castsLeft = MostCasts;
 
-    /// <inheritdoc/>
     public void Cast(in SphereCast cast, EngineHits hits)
     {
         if (--_castsLeft < 0)

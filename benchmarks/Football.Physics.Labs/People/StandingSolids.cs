@@ -85,6 +85,13 @@ internal sealed class WalkingPlayer
     /// <summary>Sets the body for the ball's next step.</summary>
     public void Put(double time) => _body.MoveTo(Place, Velocity, time);
 
+    /// <summary>Changes his velocity towards another one, by at most a speed.</summary>
+    public void Accelerate(Vector3d wanted, double most)
+    {
+        Vector3d change = wanted - Velocity;
+        Velocity += change.Length > most ? most / change.Length * change : change;
+    }
+
     /// <summary>Moves him by a frame.</summary>
     public void Walk(double duration) => Place += duration * Velocity;
 

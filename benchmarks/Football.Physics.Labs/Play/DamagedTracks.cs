@@ -4,7 +4,6 @@ using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Fit;
 using FootballPhysics.Tool.Fit.Reading;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;
 

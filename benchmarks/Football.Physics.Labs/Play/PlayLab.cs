@@ -1,7 +1,5 @@
 using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Yardsticks;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Play;
 
@@ -10,7 +8,7 @@ internal static class PlayLab
 {
     private static readonly double[] Noises = [0.005, 0.05];
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "play",
@@ -26,7 +24,7 @@ internal static class PlayLab
         Option<bool> bounces = lab.Flag("--bounces", "Analyse only bounces, slides and rolls of the tracks, without comparing balls.");
         Option<long> matches = lab.Whole("--matches", "Simulated minutes per noise level.", 0, 1_000_000, 10);
         Option<long> damaged = lab.Whole("--damaged", "Number of damaged files.", 0, 10_000_000, 200);
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             AddReal(run, run.Get(files)!, run.Get(altitude), run.Get(bounces));
             AddSimulated(run, run.Int(matches));

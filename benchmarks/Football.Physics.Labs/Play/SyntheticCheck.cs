@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Play;
 
 /// <summary>Counts the pieces of simulated minutes that a fit finds, and the share of true values within its uncertainty.</summary>
@@ -108,7 +106,7 @@ internal sealed class SyntheticCheck
 }
 
 /// <summary>A simulated minute of a match, and the track that a tracker would have recorded.</summary>
-internal sealed class SyntheticMatch
+internal sealed class SyntheticMatch(SeededRandom random)
 {
     public const double Interval = 0.02;
     private const double Length = 60;
@@ -116,10 +114,6 @@ internal sealed class SyntheticMatch
     /// <summary>Half the size of the pitch, m.</summary>
     private const double HalfLength = 50;
     private const double HalfWidth = 32;
-
-    private readonly SeededRandom _random;
-
-    private SyntheticMatch(SeededRandom random) => _random = random;
 
     /// <summary>The wind, m/s, the factor of the drag, and the height of the ground, m.</summary>
     public Vector3d Wind { get; private set; }
@@ -162,7 +156,7 @@ internal sealed class SyntheticMatch
         // 1. Kick a ball at rest. 2. It flies, bounces and rolls until a player touches it: in the air, at a bounce, or on the ground. 3. Repeat, towards the middle of the pitch.
         Wind = new Vector3d(Normal(0, 1.5), 0, Normal(0, 1.5));
         Drag = Normal(1, 0.12);
-        GroundHeight = _random.Uniform(-0.1, 0.1);
+        GroundHeight = random.Uniform(-0.1, 0.1);
         Scene scene = Known with
         {
             Air = Known.Air with { Wind = Wind },
@@ -170,8 +164,8 @@ internal sealed class SyntheticMatch
             {
                 Material = Known.Ground.Material with
                 {
-                    NormalRestitution = _random.Uniform(0.56, 0.68),
-                    ImpactFriction = _random.Uniform(0.3, 0.6),
+                    NormalRestitution = random.Uniform(0.56, 0.68),
+                    ImpactFriction = random.Uniform(0.3, 0.6),
                 },
                 Height = GroundHeight,
             },
@@ -179,9 +173,9 @@ internal sealed class SyntheticMatch
         scene = scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, Drag, 1)] } };
         var simulator = new Simulator(scene);
         var log = new StepLog();
-        var middle = new Vector3d(_random.Uniform(-HalfLength, HalfLength), simulator.ContactHeight, _random.Uniform(-HalfWidth, HalfWidth));
+        var middle = new Vector3d(random.Uniform(-HalfLength, HalfLength), simulator.ContactHeight, random.Uniform(-HalfWidth, HalfWidth));
         BallState ball = simulator.Launch(middle, Vector3d.Zero, Vector3d.Zero);
-        double next = _random.Uniform(0.5, 1.5);
+        double next = random.Uniform(0.5, 1.5);
         for (int i = 0; i * Interval < Length; i++)
         {
             double end = i * Interval;
@@ -207,16 +201,10 @@ internal sealed class SyntheticMatch
 
         log.Clear();
         simulator.Step(ref ball, dt, log);
-        for (int i = 0; i < log.Events.Count; i++)
-        {
-            if (log.Events[i].Kind == BallEventKind.Impact)
-            {
-                Events.Add((log.Events[i].Time, true));
-            }
-        }
+        Events.AddRange(log.Events.Span.ToArray().Where(item => item.Kind == BallEventKind.Impact).Select(item => (item.Time, true)));
     }
 
-    private double Wait() => _random.Chance(0.25) ? _random.Uniform(0.5, 1.2) : _random.Uniform(1.5, 6);
+    private double Wait() => random.Chance(0.25) ? random.Uniform(0.5, 1.2) : random.Uniform(1.5, 6);
 
     /// <summary>Applies a kick or a header, never along the ball's own direction at its own speed.</summary>
     private void Touch(Simulator simulator, ref BallState ball)
@@ -224,30 +212,30 @@ internal sealed class SyntheticMatch
         Vector3d velocity;
         do
         {
-            double speed = _random.Chance(0.3) ? _random.Uniform(4, 10) : _random.Uniform(10, 28);
-            double elevation = _random.Uniform(0, ball.Position.Y > 1 ? 40 : 45) * Math.PI / 180;
-            Vector3d home = new Vector3d(_random.Uniform(-0.7, 0.7) * HalfLength, 0, _random.Uniform(-0.7, 0.7) * HalfWidth) - ball.Position;
-            double heading = Math.Atan2(home.Z, home.X) + _random.Uniform(-0.4, 0.4);
+            double speed = random.Chance(0.3) ? random.Uniform(4, 10) : random.Uniform(10, 28);
+            double elevation = random.Uniform(0, ball.Position.Y > 1 ? 40 : 45) * Math.PI / 180;
+            Vector3d home = new Vector3d(random.Uniform(-0.7, 0.7) * HalfLength, 0, random.Uniform(-0.7, 0.7) * HalfWidth) - ball.Position;
+            double heading = Math.Atan2(home.Z, home.X) + random.Uniform(-0.4, 0.4);
             velocity = new Vector3d(speed * Math.Cos(elevation) * Math.Cos(heading), speed * Math.Sin(elevation), speed * Math.Cos(elevation) * Math.Sin(heading));
         }
         while ((velocity - ball.Velocity).Length < 3);
-        simulator.Kick(ref ball, velocity, _random.Uniform(0, 60) * _random.Direction());
+        simulator.Kick(ref ball, velocity, random.Uniform(0, 60) * random.Direction());
     }
 
     private void See(double noise)
     {
         // Add noise, a height error near the ground, up to two gaps, a seam, and outliers.
-        int gaps = _random.Below(3);
+        int gaps = random.Below(3);
         for (int i = 0; i < gaps; i++)
         {
-            double from = _random.Uniform(2, Length - 3);
-            Gaps.Add((from, from + _random.Uniform(0.2, 1)));
+            double from = random.Uniform(2, Length - 3);
+            Gaps.Add((from, from + random.Uniform(0.2, 1)));
         }
 
-        double seam = _random.Chance(0.5) ? _random.Uniform(2, Length - 2) : Length;
-        Vector3d offset = _random.Uniform(0.02, 0.1) * _random.Direction();
-        double seamEnd = seam + _random.Uniform(0.5, 4);
-        double wrong = _random.Uniform(-0.08, 0.08);
+        double seam = random.Chance(0.5) ? random.Uniform(2, Length - 2) : Length;
+        Vector3d offset = random.Uniform(0.02, 0.1) * random.Direction();
+        double seamEnd = seam + random.Uniform(0.5, 4);
+        double wrong = random.Uniform(-0.08, 0.08);
         foreach (BallState ball in Truth)
         {
             if (Gaps.Exists(gap => ball.Time > gap.From && ball.Time < gap.To))
@@ -258,7 +246,7 @@ internal sealed class SyntheticMatch
             double height = ball.Position.Y - GroundHeight - 0.11;
             Vector3d place = ball.Position + new Vector3d(Normal(0, noise), Normal(0, noise) + (wrong * Math.Exp(-height / 0.15)), Normal(0, noise));
             place += ball.Time > seam && ball.Time < seamEnd ? offset : Vector3d.Zero;
-            place += _random.Chance(0.001) ? _random.Uniform(0.5, 3) * _random.Direction() : Vector3d.Zero;
+            place += random.Chance(0.001) ? random.Uniform(0.5, 3) * random.Direction() : Vector3d.Zero;
             Seen.Add(new TrackPoint(ball.Time, place, 1e-4));
         }
 
@@ -273,7 +261,7 @@ internal sealed class SyntheticMatch
         double sum = -6;
         for (int i = 0; i < 12; i++)
         {
-            sum += _random.Next();
+            sum += random.Next();
         }
 
         return mean + (deviation * sum);

@@ -1,9 +1,11 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Queries;
 
 /// <summary>Fits flights of random kicks from pixels, seen by fixed cameras at 50 Hz with a noise of one pixel, and measures the errors.</summary>
-internal sealed class CameraCheck
+/// <param name="cameras">The number of cameras.</param>
+/// <param name="fromGround">True if the fit assumes that the ball starts on the ground.</param>
+/// <param name="inPlay">The share of flights that begin in the air.</param>
+/// <param name="longest">The longest time for which a flight is seen, s.</param>
+internal sealed class CameraCheck(int cameras, bool fromGround, double inPlay = 0, double longest = CameraCheck.Longest)
 {
     /// <summary>The longest time for which a flight is seen, s.</summary>
     public const double Longest = 3;
@@ -28,32 +30,15 @@ internal sealed class CameraCheck
     private static readonly TrackCamera[] s_cameras = [.. s_places.Select(place => TrackCamera.LookingAt(place, s_target, FocalLength, Width, Height))];
     private static readonly Pinhole[] s_pinholes = [.. s_places.Select(place => new Pinhole(place, s_target, FocalLength))];
 
-    private readonly TrackCamera[] _cameras;
-    private readonly double _longest;
-    private readonly bool _fromGround;
-    private readonly double _inPlay;
-    private readonly double _contact;
-
-    /// <summary>Prepares the cameras and the prior.</summary>
-    /// <param name="cameras">The number of cameras.</param>
-    /// <param name="fromGround">True if the fit assumes that the ball starts on the ground.</param>
-    /// <param name="inPlay">The share of flights that begin in the air.</param>
-    /// <param name="longest">The longest time for which a flight is seen, s.</param>
-    public CameraCheck(int cameras, bool fromGround, double inPlay = 0, double longest = Longest)
-    {
-        _cameras = s_cameras[..cameras];
-        _longest = longest;
-        _fromGround = fromGround;
-        _inPlay = inPlay;
-        _contact = new Simulator(Scene.Measured).ContactHeight;
-    }
+    private readonly TrackCamera[] _cameras = s_cameras[..cameras];
+    private readonly double _contact = new Simulator(Scene.Measured).ContactHeight;
 
     /// <summary>Draws a kick, computes its pixels and fits them. Thread-safe.</summary>
     public CameraFlight Run(SeededRandom random)
     {
         // 1. The kick: before the centre of the image, with its first bounces. 2. The pixels, until the ball leaves the image. 3. The fit, the bound, the errors.
         double[] truth = Draw(random);
-        int count = 1 + (int)(_longest / Interval);
+        int count = 1 + (int)(longest / Interval);
         Vector3d[] path = Path(truth, count, out _);
         List<PixelPoint> seen = [];
         List<(int, Pinhole)> pixels = [];
@@ -75,20 +60,20 @@ internal sealed class CameraCheck
         }
 
         path = Path(truth, last + 1, out bool bounces);
-        TrackFitResult found = new TrackFit(Scene.Measured).Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround, SpinDeviation = SpinDeviation });
+        TrackFitResult found = new TrackFit(Scene.Measured).Find(_cameras, [.. seen], new TrackFitRequest { FromGround = fromGround, SpinDeviation = SpinDeviation });
         double least = CameraBound.Squares(launch => Path(launch, last + 1, out _), truth, pixels, Noise, HeightVariance, SpinDeviation * SpinDeviation);
         return Judge(found, truth, path, bounces, least, cost);
     }
 
     /// <summary>The prior variance of the height; for a Cauchy distribution, the inverse of its information.</summary>
-    private double HeightVariance => _fromGround ? Ground * Ground : _cameras.Length == 1 ? 2 * Reach * Reach : double.PositiveInfinity;
+    private double HeightVariance => fromGround ? Ground * Ground : _cameras.Length == 1 ? 2 * Reach * Reach : double.PositiveInfinity;
 
     /// <summary>Draws a launch: position, velocity, spin. From the ground, or by foot, head or hand.</summary>
     private double[] Draw(SeededRandom random)
     {
-        bool inPlay = _inPlay > 0 && random.Chance(_inPlay);
-        double height = inPlay ? random.Uniform(0.3, 2.2) : 0.11;
-        Vector3d velocity = inPlay ? random.Velocity(10, 26, -5, 35) : random.Velocity(14, 28, 8, 35);
+        bool isInPlay = inPlay > 0 && random.Chance(inPlay);
+        double height = isInPlay ? random.Uniform(0.3, 2.2) : 0.11;
+        Vector3d velocity = isInPlay ? random.Velocity(10, 26, -5, 35) : random.Velocity(14, 28, 8, 35);
         Vector3d spin = random.Uniform(0, MostSpin) * random.Direction();
         var ahead = new Vector3d(velocity.X, 0, velocity.Z);
         Vector3d from = (-random.Uniform(6, 12) / ahead.Length * ahead) + new Vector3d(random.Uniform(-3, 3), height, random.Uniform(-3, 3));
@@ -122,7 +107,7 @@ internal sealed class CameraCheck
     private double Known(double[] launch)
     {
         double off = launch[1] - _contact;
-        double height = _fromGround ? off * off / (Ground * Ground) : _cameras.Length == 1 ? 2 * Math.Log(1 + (off * off / (Reach * Reach))) : 0;
+        double height = fromGround ? off * off / (Ground * Ground) : _cameras.Length == 1 ? 2 * Math.Log(1 + (off * off / (Reach * Reach))) : 0;
         return height + (((launch[6] * launch[6]) + (launch[7] * launch[7]) + (launch[8] * launch[8])) / (SpinDeviation * SpinDeviation));
     }
 

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Queries;
 
@@ -19,7 +18,7 @@ internal static class CameraLab
         new("one, ten pictures, kicks from the ground", new CameraCheck(1, false, 0, Few), double.PositiveInfinity),
     ];
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "camera",
@@ -27,7 +26,7 @@ internal static class CameraLab
             ["football lab camera --flights 2 --seed 7"]);
         Option<long> flights = lab.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 4);
         Option<long> jobs = lab.Jobs("Threads; default: one per processor.");
-        return lab.Command(terminal, run => Run(run, run.Int(flights), run.Int(jobs)));
+        return lab.Plays(run => Run(run, run.Int(flights), run.Int(jobs)));
     }
 
     private static void Run(LabRun run, int flights, int jobs)

@@ -1,17 +1,14 @@
-using System.CommandLine;
 using FootballPhysics.Numerics;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
 /// <summary>football lab fit: compares how often fits of noisy tracks are within their uncertainty with the stated probability.</summary>
 internal static class FitLab
 {
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "fit",
         "Fits of noisy simulated tracks (25 points per second, 2 cm): how often the true value is within the reported uncertainty.",
-        ["football lab fit --tracks 1 --seed 7"]).Command(terminal, Arguments.Whole("--tracks", "Tracks of each kind.", 1, 1_000_000, 2), Run);
+        ["football lab fit --tracks 1 --seed 7"]).Plays(Lab.Number("--tracks", "Tracks of each kind.", 1, 1_000_000, 2), Run);
 
     private static void Run(LabRun run, int tracks)
     {

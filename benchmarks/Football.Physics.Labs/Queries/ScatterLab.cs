@@ -1,13 +1,11 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;
 
 /// <summary>football lab scatter: compares the scatter of random shots with kicks that are drawn and simulated one by one in double precision.</summary>
 internal static class ScatterLab
 {
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "scatter",
@@ -15,7 +13,7 @@ internal static class ScatterLab
             ["football lab scatter --shots 1 --kicks 200 --seed 7"]);
         Option<long> shots = lab.Whole("--shots", "Number of shots; every second one has a narrow spread.", 1, 1000, 6);
         Option<long> kicks = lab.Whole("--kicks", "Kicks simulated for each shot.", 100, 100_000_000, 400);
-        return lab.Command(terminal, run => Run(run, run.Int(shots), run.Int(kicks)));
+        return lab.Plays(run => Run(run, run.Int(shots), run.Int(kicks)));
     }
 
     private static void Run(LabRun run, int shots, int kicks)

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Compares a ball on carriers that turn, accelerate in steps, are tilted or round, with a textbook integration of slip and roll.</summary>
@@ -125,7 +123,6 @@ internal sealed class Carriers : SceneKind
         var scene = new Scene { Ball = ball, Air = new Air { Density = 0 }, Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -1000, RestEnergy = 1e-12 } };
         var simulator = new Simulator(pieces.In(scene, frames[0].Velocity, frames[0].Spin));
         BallState state = simulator.Launch(place, moves, turns);
-        var log = new StepLog();
         foreach ((Vector3d pivot, double angle, Vector3d velocity, Vector3d spin) in frames)
         {
             double start = state.Time;
@@ -133,9 +130,7 @@ internal sealed class Carriers : SceneKind
             {
                 double since = state.Time - start;
                 double turned = angle + (since * Vector3d.Dot(spin, axis));
-                pieces.MoveTo(pivot + (since * velocity), Quaterniond.FromAxisAngle(axis, turned), velocity, spin, state.Time);
-                log.Clear();
-                simulator.Step(ref state, frame / parts, log);
+                pieces.Step(simulator, ref state, frame / parts, pivot + (since * velocity), Quaterniond.FromAxisAngle(axis, turned), velocity, spin);
             }
         }
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Compares a ball that rolls against a dead, rough kerb with the balance of angular momentum and energy.</summary>
@@ -84,12 +82,9 @@ internal sealed class Kerbs : SceneKind
         pieces.MoveTo(default, Quaterniond.Identity, default, default, 0);
         var simulator = new Simulator(pieces.In(scene));
         BallState state = simulator.Launch(new Vector3d(Edge - (2.5 * radius), radius, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / radius));
-        var log = new StepLog();
         while (state.Time < end && state.Position.X < Edge + radius && state.Position.X > Edge - (4 * radius))
         {
-            pieces.MoveTo(default, Quaterniond.Identity, default, default, state.Time);
-            log.Clear();
-            simulator.Step(ref state, step / parts, log);
+            pieces.Step(simulator, ref state, step / parts, default, Quaterniond.Identity, default, default);
         }
 
         return state;

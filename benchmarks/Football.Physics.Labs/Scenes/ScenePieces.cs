@@ -19,6 +19,9 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
 
     public PieceKind Kind { get; } = kind;
 
+    /// <summary>The log of the last step.</summary>
+    public StepLog Log { get; } = new();
+
     public double Time { get; private set; }
 
     public double MaximumSpeed { get; private set; }
@@ -69,6 +72,14 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
         {
             collider.MoveTo(position, orientation, velocity, spin);
         }
+    }
+
+    /// <summary>Sets bodies and colliders, and steps a ball.</summary>
+    public void Step(Simulator simulator, ref BallState ball, double duration, in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin)
+    {
+        MoveTo(position, orientation, velocity, spin, ball.Time);
+        Log.Clear();
+        simulator.Step(ref ball, duration, Log);
     }
 
     public void Cast(in SphereCast cast, EngineHits hits)

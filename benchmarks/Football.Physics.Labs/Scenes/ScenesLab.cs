@@ -1,7 +1,5 @@
 using System.CommandLine;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
@@ -13,7 +11,7 @@ internal static class ScenesLab
 
     private static readonly SceneKind[] s_kinds = [new Seams(), new Turns(), new Carriers(), new Kerbs(), new Slopes()];
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "scenes",
@@ -21,9 +19,9 @@ internal static class ScenesLab
             ["football lab scenes --only kerbs --count 20 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Scenes of each kind; ten times as many seams.", 1, 10_000_000, 1000);
         Option<string?> only = lab.Only("KIND", "Run one kind", s_kinds.Select(kind => kind.Name));
-        Option<long?> scene = lab.Add(Arguments.Whole("--scene", "One scene by its number, with --only.", 0, long.MaxValue));
+        Option<long?> scene = lab.WholeOrNone("--scene", "One scene by its number, with --only.", long.MaxValue);
         Option<long> jobs = lab.Jobs("Threads.");
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             SceneKind[] kinds = [.. s_kinds.Where(kind => run.Get(only) is not { } name || kind.Name == name)];
             if (run.Get(scene) is { } index)

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Tests a ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as in a closed form or a textbook integration.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Compares a ball in the path of shapes that a game turns about a pivot with an exact rotation. It follows the gap without the library's contacts.</summary>
@@ -113,15 +111,13 @@ internal sealed class Turns : SceneKind
         // Move the shape before the ball is launched: a launch moves the ball out of every shape that it overlaps.
         pieces.MoveTo(model.PivotAt(0), Quaterniond.FromAxisAngle(model.Axis, model.Angle), model.Velocity, model.Rate * model.Axis, 0);
         BallState state = simulator.Launch(from, velocity, default);
-        var log = new StepLog();
         BallEvent? impact = null;
         while (state.Time < duration && impact is null)
         {
             double angle = model.Angle + (model.Rate * state.Time);
-            pieces.MoveTo(model.PivotAt(state.Time), Quaterniond.FromAxisAngle(model.Axis, angle), model.Velocity, model.Rate * model.Axis, state.Time);
-            log.Clear();
-            simulator.Step(ref state, Math.Min(frame, duration - state.Time), log);
-            foreach (ref readonly BallEvent item in log.Events)
+            pieces.Step(
+                simulator, ref state, Math.Min(frame, duration - state.Time), model.PivotAt(state.Time), Quaterniond.FromAxisAngle(model.Axis, angle), model.Velocity, model.Rate * model.Axis);
+            foreach (ref readonly BallEvent item in pieces.Log.Events)
             {
                 impact ??= item.Kind == BallEventKind.Impact ? item : null;
             }

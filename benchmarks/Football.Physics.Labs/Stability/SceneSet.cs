@@ -128,7 +128,7 @@ internal sealed class HostileSet(long seed) : SceneSet
     {
         LabTable table = run.Table("frames", "length, s", "time, s", "motion", "height, m", "velocity, m/s", "spin, rad/s", "energy, J", "pieces", "stalled", "events");
         var simulator = new Simulator(scene.Scene, scene.Settings);
-        var energy = new EnergyCheck(scene.Scene, scene.Settings, scene.Upward, simulator);
+        var energy = new EnergyCheck(scene, simulator);
         BallState state = simulator.Launch(scene.Position, scene.Velocity, scene.Spin);
         var log = new StepLog();
         foreach (double length in scene.Frames)

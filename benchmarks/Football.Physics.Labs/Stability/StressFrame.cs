@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Checks a frame.</summary>
@@ -13,7 +16,7 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
     /// <summary>The accuracy of a contact far from the ground, as a share of the distance.</summary>
     private const double FarShare = 1e-7;
 
-    private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
+    private readonly EnergyCheck _energy = new(scene, simulator);
     private BallState _before;
     private BallState _after;
 
@@ -83,13 +86,45 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
 
     /// <summary>Adds a finding.</summary>
     public void Find(string check, double size, FormattableString detail) => findings.Add(new Finding(
-        check, FormattableString.Invariant($"frame {Index} of {Length} s: ") + FormattableString.Invariant(detail), size, absurdity + Absurdity.Outside(Length, 1e-4, 0.1)));
+        check, FormattableString.Invariant($"frame {Index} of {Length} s: {detail}"), size, absurdity + Absurdity.Outside(Length, 1e-4, 0.1)));
 
     /// <summary>Adds a finding, under a separate name if a game may have all numbers of the scene.</summary>
     public void FindMild(string check, double size, FormattableString detail) => Find(scene.IsMild ? $"{check}, mild" : check, size, detail);
+
+    /// <summary>Adds a finding if a condition holds.</summary>
+    public void FindIf(bool isWrong, string check, double size, [InterpolatedStringHandlerArgument(nameof(isWrong))] LazyText detail)
+    {
+        if (isWrong)
+        {
+            Find(check, size, $"{detail.ToString()}");
+        }
+    }
+
+    /// <summary>Adds a finding if a condition holds, under a separate name if a game may have all numbers of the scene.</summary>
+    public void FindMildIf(bool isWrong, string check, double size, [InterpolatedStringHandlerArgument(nameof(isWrong))] LazyText detail) =>
+        FindIf(isWrong, scene.IsMild ? $"{check}, mild" : check, size, detail);
 
     /// <summary>Returns the distance to the next number.</summary>
     public static double Ulp(double value) => Math.BitIncrement(Math.Abs(value)) - Math.Abs(value);
 
     private double Farthest(in BallState s) => Math.Abs(s.Position.Y - Contact) + (s.Velocity.Length * Length);
+}
+
+/// <summary>A text that is formatted only if it is needed.</summary>
+[InterpolatedStringHandler]
+internal ref struct LazyText
+{
+    private DefaultInterpolatedStringHandler _text;
+
+    public LazyText(int literalLength, int formattedCount, bool isNeeded, out bool formats)
+    {
+        formats = isNeeded;
+        _text = isNeeded ? new DefaultInterpolatedStringHandler(literalLength, formattedCount, CultureInfo.InvariantCulture) : default;
+    }
+
+    public void AppendLiteral(string text) => _text.AppendLiteral(text);
+
+    public void AppendFormatted<T>(T value, string? format = null) => _text.AppendFormatted(value, format);
+
+    public override readonly string ToString() => _text.ToString();
 }

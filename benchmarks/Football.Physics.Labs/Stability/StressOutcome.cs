@@ -15,77 +15,39 @@ internal sealed record StressOutcome(string Kind, Integrator Method, Tally Tally
 }
 
 /// <summary>Counts of one scene, or their sum over many.</summary>
-internal readonly record struct Tally
+/// <param name="Scenes">The scenes.</param>
+/// <param name="Failed">The scenes that failed.</param>
+/// <param name="Frames">The frames.</param>
+/// <param name="Steps">The pieces of motion.</param>
+/// <param name="MostSteps">The most pieces in one frame.</param>
+/// <param name="Stalled">The steps that reached their last piece.</param>
+/// <param name="StalledFrames">The frames with such a step.</param>
+/// <param name="Impacts">The impacts.</param>
+/// <param name="Events">The events.</param>
+/// <param name="Rests">The events of rest.</param>
+/// <param name="InNets">The frames that began in a net.</param>
+/// <param name="EnergyShare">The highest share of the allowed energy that the method created in a frame.</param>
+internal readonly record struct Tally(
+    long Scenes, long Failed, long Frames, long Steps, long MostSteps, long Stalled, long StalledFrames, long Impacts, long Events, long Rests, long InNets, double EnergyShare)
 {
-    public long Scenes { get; init; }
-
-    public long Failed { get; init; }
-
-    public long Frames { get; init; }
-
-    /// <summary>The pieces of motion, and the most in one frame.</summary>
-    public long Steps { get; init; }
-
-    public long MostSteps { get; init; }
-
-    /// <summary>The steps that reached their last piece, and the frames with such a step.</summary>
-    public long Stalled { get; init; }
-
-    public long StalledFrames { get; init; }
-
-    public long Impacts { get; init; }
-
-    public long Events { get; init; }
-
-    public long Rests { get; init; }
-
-    /// <summary>The frames that began in a net.</summary>
-    public long InNets { get; init; }
-
-    /// <summary>The highest share of the allowed energy that the method created in a frame.</summary>
-    public double EnergyShare { get; init; }
-
     public string Verdict => Scenes == 0 ? "-" : Failed == 0 ? "holds" : FormattableString.Invariant($"{Failed} FAILED");
 
-    public static Tally operator +(in Tally a, in Tally b) => new()
-    {
-        Scenes = a.Scenes + b.Scenes,
-        Failed = a.Failed + b.Failed,
-        Frames = a.Frames + b.Frames,
-        Steps = a.Steps + b.Steps,
-        MostSteps = Math.Max(a.MostSteps, b.MostSteps),
-        Stalled = a.Stalled + b.Stalled,
-        StalledFrames = a.StalledFrames + b.StalledFrames,
-        Impacts = a.Impacts + b.Impacts,
-        Events = a.Events + b.Events,
-        Rests = a.Rests + b.Rests,
-        InNets = a.InNets + b.InNets,
-        EnergyShare = Math.Max(a.EnergyShare, b.EnergyShare),
-    };
+    public static Tally operator +(in Tally a, in Tally b) => new(
+        a.Scenes + b.Scenes, a.Failed + b.Failed, a.Frames + b.Frames, a.Steps + b.Steps, Math.Max(a.MostSteps, b.MostSteps), a.Stalled + b.Stalled, a.StalledFrames + b.StalledFrames,
+        a.Impacts + b.Impacts, a.Events + b.Events, a.Rests + b.Rests, a.InNets + b.InNets, Math.Max(a.EnergyShare, b.EnergyShare));
 
     /// <summary>Returns the counts of a frame.</summary>
-    public static Tally Of(StepLog log)
+    public static Tally Of(StepLog log) => new()
     {
-        int impacts = 0;
-        int rests = 0;
-        foreach (ref readonly BallEvent item in log.Events)
-        {
-            impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
-            rests += item.Kind == BallEventKind.Rest ? 1 : 0;
-        }
-
-        return new Tally
-        {
-            Frames = 1,
-            Steps = log.Steps,
-            MostSteps = log.Steps,
-            Stalled = log.StalledSteps,
-            StalledFrames = log.StalledSteps > 0 ? 1 : 0,
-            Impacts = impacts,
-            Events = log.Events.Count,
-            Rests = rests,
-        };
-    }
+        Frames = 1,
+        Steps = log.Steps,
+        MostSteps = log.Steps,
+        Stalled = log.StalledSteps,
+        StalledFrames = log.StalledSteps > 0 ? 1 : 0,
+        Impacts = log.Events.Count(BallEventKind.Impact),
+        Events = log.Events.Count,
+        Rests = log.Events.Count(BallEventKind.Rest),
+    };
 }
 
 /// <summary>A claim that does not hold in a scene.</summary>

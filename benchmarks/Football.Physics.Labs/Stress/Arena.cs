@@ -1,6 +1,5 @@
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Stability;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -223,9 +222,7 @@ internal sealed class Arena
         Vector3d way = (to - player.Place).Horizontal;
         double far = way.Length - stops;
         Vector3d wanted = far > 0 ? Math.Min(8, 4 * far) / way.Length * way : Vector3d.Zero;
-        Vector3d change = wanted - player.Velocity;
-        double most = 9 * frame;
-        player.Velocity += change.Length > most ? most / change.Length * change : change;
+        player.Accelerate(wanted, 9 * frame);
     }
 
     private Simulator SimulatorOf(int ball) => _group?.SimulatorOf(ball) ?? Simulator;

@@ -1,5 +1,4 @@
 using FootballPhysics.Labs.Fuzz;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Simulates one match twice: alone, and with paths, aims, interceptions and a kept prediction between its ticks.</summary>

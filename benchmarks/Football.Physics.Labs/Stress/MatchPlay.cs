@@ -1,6 +1,5 @@
 using FootballPhysics.Labs.Goals;
 using FootballPhysics.Labs.People;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 

@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using FootballPhysics.Game;
 using FootballPhysics.Labs.Fuzz;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -55,12 +54,7 @@ internal sealed class StateBytes(bool isMemory) : FuzzTarget
 
     public override bool Try(byte[] input)
     {
-        BallState state;
-        try
-        {
-            state = isMemory ? Unsafe.ReadUnaligned<BallState>(ref MemoryMarshal.GetReference<byte>(input)) : Snapshot.Read(input);
-        }
-        catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
+        if (!IsAccepted(() => isMemory ? Unsafe.ReadUnaligned<BallState>(ref MemoryMarshal.GetReference<byte>(input)) : Snapshot.Read(input), out BallState state, "source"))
         {
             return true;
         }

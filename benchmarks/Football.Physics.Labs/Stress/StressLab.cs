@@ -2,7 +2,6 @@ using System.CommandLine;
 using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Labs.Matches;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -18,7 +17,7 @@ internal static class StressLab
     private static IReadOnlyList<FuzzTarget> Formats { get; } =
         [new StateBytes(isMemory: false), new StateBytes(isMemory: true), new WireBytes(), new KickBytesPlayed(), new SegmentFuzz(HallScenes.All)];
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         var lab = new Lab(
             "stress",
@@ -27,12 +26,12 @@ internal static class StressLab
         Option<long> matches = lab.Whole("--matches", "Number of matches; half as many with --looks.", 1, Most, 2000);
         Option<long> seconds = lab.Whole("--seconds", "Length of a match in s.", 1, 3600, 12);
         Option<long> jobs = lab.Jobs("Threads.");
-        Option<long?> match = lab.Add(Arguments.Whole("--match", "One match by its number.", 0, Most));
+        Option<long?> match = lab.WholeOrNone("--match", "One match by its number.", Most);
         Option<bool> looks = lab.Flag("--looks", "Matches with and without look-aheads between ticks, and late kicks compared with punctual ones.");
         Option<long> late = lab.Whole("--late", "Number of late kicks, with --looks.", 1, Most, 10_000);
         Option<bool> bytes = lab.Flag("--bytes", "Corrupted states, kick logs and recordings: they are rejected, or steps stay finite and short.");
         Option<long> count = lab.Whole("--count", "Inputs of each format, with --bytes.", 1, Most, 1_000_000);
-        return lab.Command(terminal, run =>
+        return lab.Plays(run =>
         {
             if (run.Get(looks) && run.Get(bytes))
             {

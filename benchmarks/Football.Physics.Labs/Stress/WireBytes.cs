@@ -1,5 +1,4 @@
 using FootballPhysics.Labs.Fuzz;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -52,12 +51,7 @@ internal sealed class WireBytes : FuzzTarget
         foreach (Simulator simulator in HallScenes.All)
         {
             var runner = new FixedStepRunner(simulator, Tick) { QuantizationInterval = 1 };
-            BallState state;
-            try
-            {
-                state = runner.ReadQuantized(input);
-            }
-            catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
+            if (!IsAccepted(() => runner.ReadQuantized(input), out BallState state, "source"))
             {
                 continue;
             }

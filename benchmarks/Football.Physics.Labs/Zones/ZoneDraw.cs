@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>
@@ -27,15 +25,9 @@ internal static class ZoneDraw
         Vector3d velocity = speed * (rolls ? new Vector3d(direction.X, 0, direction.Z) : new Vector3d(direction.X, Math.Abs(direction.Y) * random.Uniform(0, 1), direction.Z));
         Vector3d spin = random.Uniform(0, 90) * random.Direction();
         double height = rolls ? scene.Ball.Radius : scene.Ball.Radius + random.Uniform(0, 2);
-        return new ZoneCase
-        {
-            Scene = scene,
-            Settings = new SolverSettings { Integrator = s_methods[(int)random.Uniform(0, s_methods.Length)] },
-            Step = s_steps[(int)random.Uniform(0, s_steps.Length)],
-            Position = new Vector3d(random.Uniform(-3, 3), height, random.Uniform(-3, 3)),
-            Velocity = velocity,
-            Spin = spin,
-        };
+        var settings = new SolverSettings { Integrator = s_methods[(int)random.Uniform(0, s_methods.Length)] };
+        double step = s_steps[(int)random.Uniform(0, s_steps.Length)];
+        return new ZoneCase(scene, settings, step, new Vector3d(random.Uniform(-3, 3), height, random.Uniform(-3, 3)), velocity, spin);
     }
 
     /// <summary>Draws a zone near a point of the path.</summary>
@@ -74,20 +66,7 @@ internal static class ZoneDraw
 }
 
 /// <summary>A kick in a scene without zones.</summary>
-internal sealed record ZoneCase
-{
-    public required Scene Scene { get; init; }
-
-    public required SolverSettings Settings { get; init; }
-
-    public required double Step { get; init; }
-
-    public required Vector3d Position { get; init; }
-
-    public required Vector3d Velocity { get; init; }
-
-    public required Vector3d Spin { get; init; }
-}
+internal sealed record ZoneCase(Scene Scene, SolverSettings Settings, double Step, Vector3d Position, Vector3d Velocity, Vector3d Spin);
 
 /// <summary>A ring around a vertical axis, as a custom shape: it has a hole, and a hollow inside.</summary>
 internal sealed class RingShape(Vector3d center, double radius, double thickness) : IShape

@@ -1,7 +1,4 @@
-using System.CommandLine;
 using FootballPhysics.Simulation;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Zones;
 
@@ -10,10 +7,10 @@ internal static class ZonesLab
 {
     private const long Most = 10_000_000;
 
-    public static Command Create(Terminal terminal) => new Lab(
+    public static Lab Create() => new Lab(
         "zones",
         "Random kicks through zones of every shape, compared with a densely sampled path: each crossing is reported to within 1e-6 s, and no zone changes the path.",
-        ["football lab zones", "football lab zones --paths 300 --seed 7"]).Command(terminal, Arguments.Whole("--paths", "Kicks through zones.", 1, Most, 1000), Run);
+        ["football lab zones", "football lab zones --paths 300 --seed 7"]).Plays(Lab.Number("--paths", "Kicks through zones.", 1, Most, 1000), Run);
 
     private static void Run(LabRun run, int paths)
     {

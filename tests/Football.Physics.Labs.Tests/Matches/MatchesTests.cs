@@ -12,13 +12,13 @@ public sealed class MatchesTests
     public void Late_kicks_among_moving_players_end_where_kicks_in_time_do() => Holds(run => RollbackCounts.Play(run, 4));
 
     [Fact]
-    public void A_dribbled_ball_stays_before_the_player() => Holds(run => DribbleCounts.Play(run, 20));
+    public void A_dribbled_ball_stays_before_the_player() => Holds(run => new TouchCounts(run, 20).Dribbles());
 
     [Fact]
-    public void A_first_time_shot_hits_where_it_is_said_to() => Holds(run => FirstTimeCounts.Play(run, 20));
+    public void A_first_time_shot_hits_where_it_is_said_to() => Holds(run => new TouchCounts(run, 20).FirstTimeShots());
 
     [Fact]
-    public void A_trapped_ball_is_dead() => Holds(run => TrapCounts.Play(run, 20));
+    public void A_trapped_ball_is_dead() => Holds(run => new TouchCounts(run, 20).Traps());
 
     [Fact]
     public void A_million_impacts_keep_momentum_and_gain_no_energy() => Holds(run => ImpactBalances.Play(run, 1_000_000));

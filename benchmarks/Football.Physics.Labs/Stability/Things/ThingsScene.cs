@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>A scene with objects, and a shot among them, all from one number. Its mirror image in x has the same numbers, except for their signs.</summary>
