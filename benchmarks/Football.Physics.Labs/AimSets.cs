@@ -77,16 +77,7 @@ internal static class AimSets
         });
     }
 
-    private static AimRequest[] Make(int count, Func<AimRequest> next)
-    {
-        var requests = new AimRequest[count];
-        for (int i = 0; i < count; i++)
-        {
-            requests[i] = next();
-        }
-
-        return requests;
-    }
+    private static AimRequest[] Make(int count, Func<AimRequest> next) => [.. Enumerable.Range(0, count).Select(_ => next())];
 
     private static Vector3d InGoal(Random random) => new(0, random.Between(0.2, 2.2), random.Between(-3.3, 3.3));
 

@@ -118,14 +118,12 @@ internal static class KicksLab
     /// <summary>Returns the standard deviation of the lateral positions at which knuckle balls of many seeds pass, m.</summary>
     private static double Scatter(Scene scene)
     {
-        double squares = 0;
-        for (int seed = 1; seed <= Seeds; seed++)
+        double squares = Enumerable.Range(1, Seeds).Sum(seed =>
         {
             Scene knuckle = scene with { Forces = scene.Forces with { KnuckleSeed = seed } };
             double aside = At(knuckle, 20, new Vector3d(0, Radius, 0), Velocity(30, 8 * Degree), Vector3d.Zero).Position.Z;
-            squares += aside * aside;
-        }
-
+            return aside * aside;
+        });
         return Math.Sqrt(squares / Seeds);
     }
 

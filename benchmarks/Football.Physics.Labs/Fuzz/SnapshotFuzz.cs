@@ -44,18 +44,14 @@ internal sealed class SnapshotFuzz : FuzzTarget
         for (int i = 0; i < mutations; i++)
         {
             int at = sizeof(ulong) * random.Below(StateFields.Count);
-            switch (random.Below(4))
+            int change = random.Below(4);
+            if (change == 0)
             {
-                case 0:
-                    bytes[at + random.Below(8)] ^= (byte)(1 << random.Below(8));
-                    break;
-                case 1:
-                    BitConverter.TryWriteBytes(bytes.AsSpan(at), (ulong)random.Below(6));
-                    break;
-                default:
-                    BitConverter.TryWriteBytes(bytes.AsSpan(at), FuzzNumbers.AnyBits(random));
-                    break;
+                bytes[at + random.Below(8)] ^= (byte)(1 << random.Below(8));
+                continue;
             }
+
+            BitConverter.TryWriteBytes(bytes.AsSpan(at), change == 1 ? (ulong)random.Below(6) : BitConverter.DoubleToUInt64Bits(FuzzNumbers.AnyBits(random)));
         }
 
         return bytes;

@@ -45,10 +45,9 @@ internal static class SeveralCost
             }
 
             // Use the median of the ratios: both are measured in turns, so that a busy machine slows both.
-            double[] ratios = [.. single.Zip(together, (a, b) => b / a).Order()];
-            double ratio = ratios[Rounds / 2];
-            bool reached = !(ratio > most);
-            table.Add(name, single.Order().ElementAt(Rounds / 2), together.Order().ElementAt(Rounds / 2), ratio, met / 2, double.IsNaN(most) ? null : Verdict.Of(reached));
+            static double Middle(IEnumerable<double> values) => values.Order().ElementAt(Rounds / 2);
+            double ratio = Middle(single.Zip(together, (a, b) => b / a));
+            table.Add(name, Middle(single), Middle(together), ratio, met / 2, double.IsNaN(most) ? null : Verdict.Of(!(ratio > most)));
         }
     }
 

@@ -79,31 +79,20 @@ internal static class RollbackCounts
             Step(kind, squad, inTime);
         }
 
-        foreach (double frame in Frames)
+        // If the rollback stores the bodies, the game moves them itself once per tick, so there is only one frame rate.
+        foreach (double frame in kind == Kind.KeptBodies ? Frames[..1] : Frames)
         {
-            // If the rollback stores the bodies, the game moves them itself once per tick, so there is only one frame rate.
-            if (kind == Kind.KeptBodies && frame != Frames[0])
-            {
-                continue;
-            }
-
             FixedStepRunner runner = Runner(kind, squad);
             var rollback = new Rollback(runner, MostLate + 20);
             int next = 0;
             while (runner.Tick < Ticks)
             {
-                for (int i = next; i < all.Length && all[i].Tick <= runner.Tick + 20; i++)
+                for (; next < all.Length && all[next].Tick + delays[next] <= runner.Tick; next++)
                 {
-                    if (all[i].Tick + delays[i] > runner.Tick)
-                    {
-                        break;
-                    }
-
-                    counts.AddIf(rollback.ApplyKick(in all[i]) is not null, "late");
-                    next = i + 1;
+                    counts.AddIf(rollback.ApplyKick(in all[next]) is not null, "late");
                 }
 
-                if (frame == Frames[0] || kind == Kind.KeptBodies)
+                if (frame == Frames[0])
                 {
                     Step(kind, squad, runner);
                 }
@@ -144,12 +133,7 @@ internal static class RollbackCounts
         var simulator = new Simulator(scene);
         FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
         runner.QuantizationInterval = kind == Kind.Hall ? HallWireTicks : 0;
-        if (kind != Kind.KeptBodies)
-        {
-            Action<double> move = squad.Mover();
-            runner.MoveBodies = move;
-        }
-
+        runner.MoveBodies = kind == Kind.KeptBodies ? null : squad.Mover();
         return runner;
     }
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Diagnostics;
 
 namespace FootballPhysics.Labs.People;
 
@@ -110,5 +111,147 @@ internal sealed class PeopleLab(LabRun run)
         {
             claim.Report(_claims, run);
         }
+    }
+}
+
+/// <summary>The parts of a claim that a table shows.</summary>
+[Flags]
+internal enum ClaimParts
+{
+    Count = 1,
+    Worst = 2,
+
+    /// <summary>The claim fails if its count is not 0.</summary>
+    Verdict = 4,
+}
+
+/// <summary>A claim over many cases: the number of violations, the worst size, and its scene.</summary>
+internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Count | ClaimParts.Verdict)
+{
+    private string _at = "";
+
+    /// <summary>The number of cases, and the number that violate the claim.</summary>
+    public long Of { get; private set; }
+
+    public long Count { get; private set; }
+
+    public double Worst { get; private set; }
+
+    public bool Holds => !parts.HasFlag(ClaimParts.Verdict) || Count == 0;
+
+    /// <summary>Adds a case.</summary>
+    public void Case(bool isBroken, FormattableString? at = null)
+    {
+        Of++;
+        Count += isBroken ? 1 : 0;
+        _at = isBroken && at is not null ? FormattableString.Invariant(at) : _at;
+    }
+
+    /// <summary>Adds a number of cases.</summary>
+    public void Add(long count)
+    {
+        Of++;
+        Count += count;
+    }
+
+    /// <summary>Keeps a size if it is the worst so far.</summary>
+    public void See(double size, FormattableString? at = null)
+    {
+        if (size > Worst)
+        {
+            Worst = size;
+            _at = at is not null ? FormattableString.Invariant(at) : _at;
+        }
+    }
+
+    /// <summary>Adds its row.</summary>
+    public void Report(LabTable table, LabRun run)
+    {
+        table.Add(
+            what, Of, parts.HasFlag(ClaimParts.Count) ? Count : null, parts.HasFlag(ClaimParts.Worst) ? Worst : null,
+            parts.HasFlag(ClaimParts.Verdict) ? Verdict.Of(Holds) : null);
+        run.Failed |= !Holds;
+        if (_at.Length > 0 && (!Holds || !parts.HasFlag(ClaimParts.Verdict)))
+        {
+            run.Notes.Add(FormattableString.Invariant($"{what}: {_at}"));
+        }
+    }
+}
+
+/// <summary>Cases of one kind, and their claims.</summary>
+/// <param name="name">The name of its balls in the table.</param>
+internal abstract class PeopleCases(string name)
+{
+    protected const double Radius = 0.11;
+
+    /// <summary>A ball that is deeper than this, m, is inside.</summary>
+    protected const double Entered = 1e-6;
+
+    public string Name => name;
+
+    public StepMeter Meter { get; } = new();
+
+    public int Cases { get; protected set; }
+
+    public abstract PeopleClaim[] Claims { get; }
+
+    /// <summary>Simulates a case.</summary>
+    public abstract void Play(long seed, int index);
+}
+
+/// <summary>Steps balls and records the largest cost of a step: time, memory, events.</summary>
+internal sealed class StepMeter
+{
+    /// <summary>A step that takes longer, s, is repeated: another program may have delayed it.</summary>
+    private const double Suspicious = 0.0005;
+    private const int Repeats = 2;
+
+    private readonly StepLog _again = new();
+
+    /// <summary>The time limit of a step, s.</summary>
+    public const double Longest = 0.001;
+
+    /// <summary>The limit of events per step.</summary>
+    public const int MostAllowed = 24;
+
+    public long Steps { get; private set; }
+
+    /// <summary>The slowest step, best of three from the same state, s.</summary>
+    public Peak<double, FormattableString> Slowest { get; } = new($"");
+
+    /// <summary>The number of steps that took longer than a millisecond.</summary>
+    public long Slow { get; private set; }
+
+    /// <summary>The number of bytes that all steps allocated.</summary>
+    public long Bytes { get; private set; }
+
+    public Peak<int, FormattableString> Events { get; } = new($"");
+
+    /// <summary>The largest number of evaluations of the right-hand side in a step: its work, independent of other programs.</summary>
+    public Peak<long, FormattableString> Evaluations { get; } = new($"");
+
+    /// <summary>Runs one step.</summary>
+    public void Step(Ball ball, double duration, FormattableString at)
+    {
+        BallState start = ball.State;
+        long bytes = GC.GetAllocatedBytesForCurrentThread();
+        long began = Stopwatch.GetTimestamp();
+        ball.Step(duration);
+        double took = Stopwatch.GetElapsedTime(began).TotalSeconds;
+        Bytes += GC.GetAllocatedBytesForCurrentThread() - bytes;
+        for (int i = 0; i < Repeats && took > Suspicious; i++)
+        {
+            BallState state = start;
+            _again.Clear();
+            began = Stopwatch.GetTimestamp();
+            ball.Simulator.Step(ref state, duration, _again);
+            took = Math.Min(took, Stopwatch.GetElapsedTime(began).TotalSeconds);
+        }
+
+        Steps++;
+        Slow += took > Longest ? 1 : 0;
+        Slowest.See(took, at);
+        Evaluations.See(ball.Evaluations, at);
+        Events.See(ball.Events.Count, at);
     }
 }

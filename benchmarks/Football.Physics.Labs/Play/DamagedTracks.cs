@@ -96,72 +96,49 @@ internal sealed class DamagedTracks
         List<string> lines = TrackLayoutText.Write(layout, [.. match.Seen.Skip(from).Take(count)], random);
         for (int damages = random.Below(5); damages > 0; damages--)
         {
-            int at = random.Below(lines.Count);
-            switch (random.Below(17))
-            {
-                case 0:
-                    lines[at] = "";
-                    break;
-                case 1:
-                    lines[at] = lines[at].Replace('.', random.Any('x', ',', ';', '-'));
-                    break;
-                case 2:
-                    lines[at] += random.Any(",", ",1,2", ",\"", "\0");
-                    break;
-                case 3:
-                    lines.RemoveRange(at, Math.Min(lines.Count - at, random.Below(40) + 1));
-                    lines.Add("9999,1,1,1");
-                    break;
-                case 4:
-                    lines.Insert(at, lines[random.Below(lines.Count)]);
-                    break;
-                case 5:
-                    (lines[at], lines[^1]) = (lines[^1], lines[at]);
-                    break;
-                case 6:
-                    lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,");
-                    break;
-                case 7:
-                    lines = lines.ConvertAll(line => string.Join(separator, line.Split(separator).Reverse()));
-                    break;
-                case 8:
-                    lines = lines.ConvertAll(line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
-                    break;
-                case 9:
-                    lines[0] = random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d");
-                    break;
-                case 10:
-                    lines = lines.ConvertAll(line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line);
-                    break;
-                case 11:
-                    lines = lines.ConvertAll(line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random));
-                    break;
-                case 12:
-                    lines.RemoveAll(_ => random.Chance(0.5));
-                    lines.Add("t,x,y,z");
-                    break;
-                case 13:
-                    // Repeat a column.
-                    int twice = random.Below(4);
-                    lines = lines.ConvertAll(line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
-                    break;
-                case 14:
-                    // Reorder or repeat all lines.
-                    lines = random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines];
-                    break;
-                case 15:
-                    // Mix two layouts in a file.
-                    lines.AddRange(TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random));
-                    break;
-                default:
-                    lines[at] = Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)]);
-                    break;
-            }
+            lines = Damaged(random, match, lines, random.Below(lines.Count), separator, from);
         }
 
         string text = string.Join(random.Any("\n", "\r\n", "\r"), lines);
         byte[] bytes = random.Chance(0.1) ? [.. Encoding.Unicode.GetPreamble(), .. Encoding.Unicode.GetBytes(text)] : Encoding.UTF8.GetBytes(text);
         return random.Chance(1.0 / 3) ? FuzzBytes.Changed(random, bytes, 1 + random.Below(6)) : bytes;
+    }
+
+    /// <summary>Returns the lines with one damage, at a line or all over.</summary>
+    private static List<string> Damaged(SeededRandom random, SyntheticMatch match, List<string> lines, int at, char separator, int from)
+    {
+        return random.Below(17) switch
+        {
+            0 => With(at, ""),
+            1 => With(at, lines[at].Replace('.', random.Any('x', ',', ';', '-'))),
+            2 => With(at, lines[at] + random.Any(",", ",1,2", ",\"", "\0")),
+            3 => [.. lines.Take(at), .. lines.Skip(at + random.Below(40) + 1), "9999,1,1,1"],
+            4 => [.. lines.Take(at), lines[random.Below(lines.Count)], .. lines.Skip(at)],
+            5 => [.. lines.Select((line, i) => i == at ? lines[^1] : i == lines.Count - 1 ? lines[at] : line)],
+            6 => With(at, random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,")),
+            7 => lines.ConvertAll(line => string.Join(separator, line.Split(separator).Reverse())),
+            8 => lines.ConvertAll(line => IsHeader(line) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0))),
+            9 => With(0, random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d")),
+            10 => lines.ConvertAll(line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line),
+            11 => lines.ConvertAll(line => IsHeader(line) || random.Chance(0.8) ? line : Jump(line, random)),
+            12 => [.. lines.Where(_ => !random.Chance(0.5)), "t,x,y,z"],
+            13 => WithTwice(random.Below(4)),
+
+            // Reorder or repeat all lines.
+            14 => random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines],
+
+            // Mix two layouts in a file.
+            15 => [.. lines, .. TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random)],
+            _ => With(at, Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)])),
+        };
+
+        static bool IsHeader(string line) => line.Contains('t', StringComparison.Ordinal);
+
+        List<string> With(int at, string text) => [.. lines.Take(at), text, .. lines.Skip(at + 1)];
+
+        // Repeat a column.
+        List<string> WithTwice(int column) =>
+            lines.ConvertAll(line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == column ? (string[])[cell, cell] : [cell])));
     }
 
     private static string Scaled(string line, double factor)

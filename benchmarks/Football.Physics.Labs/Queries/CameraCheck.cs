@@ -232,44 +232,40 @@ internal static class CameraBound
     {
         int n = matrix.GetLength(0);
         double[] scale = [.. Enumerable.Range(0, n).Select(i => 1 / Math.Sqrt(matrix[i, i]))];
-        double[,] a = new double[n, n];
-        double[,] inverse = new double[n, n];
+        double[,] a = new double[n, 2 * n];
         for (int i = 0; i < n; i++)
         {
             for (int j = 0; j < n; j++)
             {
                 a[i, j] = scale[i] * matrix[i, j] * scale[j];
-                inverse[i, j] = i == j ? 1 : 0;
             }
+
+            a[i, n + i] = 1;
         }
 
         // The matrix is symmetric and positive definite, so no pivots are needed.
         for (int i = 0; i < n; i++)
         {
             double pivot = a[i, i];
-            for (int k = 0; k < n; k++)
+            for (int k = 0; k < 2 * n; k++)
             {
                 a[i, k] /= pivot;
-                inverse[i, k] /= pivot;
             }
 
             for (int row = 0; row < n; row++)
             {
                 double factor = row == i ? 0 : a[row, i];
-                for (int k = 0; k < n && factor != 0; k++)
+                for (int k = 0; k < 2 * n && factor != 0; k++)
                 {
                     a[row, k] -= factor * a[i, k];
-                    inverse[row, k] -= factor * inverse[i, k];
                 }
             }
         }
 
-        for (int i = 0; i < n; i++)
+        double[,] inverse = new double[n, n];
+        for (int i = 0; i < n * n; i++)
         {
-            for (int j = 0; j < n; j++)
-            {
-                inverse[i, j] *= scale[i] * scale[j];
-            }
+            inverse[i / n, i % n] = a[i / n, n + (i % n)] * (scale[i / n] * scale[i % n]);
         }
 
         return inverse;

@@ -97,21 +97,15 @@ internal sealed class FitCheck
     private void Judge(TrackFitResult found, double[] truth)
     {
         int n = truth.Length;
-        double[] system = new double[n * (n + 1)];
         double[] off = [.. truth.Select((value, i) => found.Value(i) - value)];
+        double[] covariance = [.. Enumerable.Range(0, n * n).Select(i => found.Covariance(i / n, i % n))];
         for (int i = 0; i < n; i++)
         {
-            for (int j = 0; j < n; j++)
-            {
-                system[(i * (n + 1)) + j] = found.Covariance(i, j);
-            }
-
-            system[(i * (n + 1)) + n] = off[i];
             Counts.AddIf(Math.Abs(off[i]) <= 1.96 * found.StandardError(i), found.Names[i]);
         }
 
         double[] solved = new double[n];
-        double distance = Linear.Solve(system, solved, n) ? solved.Zip(off, (a, b) => a * b).Sum() : double.PositiveInfinity;
+        double distance = Linear.Solve(covariance, off, solved, n) ? solved.Zip(off, (a, b) => a * b).Sum() : double.PositiveInfinity;
         Names = found.Names;
         Counts.Add("steps", found.Iterations);
         Counts.AddIf(!found.Converged, "not converged");

@@ -62,35 +62,20 @@ internal static class Overshoot
     }
 
     /// <summary>Returns the least z at which one step of u̇ = −|u| u from u = 1 is wrong.</summary>
-    private static double First(Integrator method, Func<double, bool> wrong)
-    {
-        for (int i = 1; i <= 1000; i++)
-        {
-            double z = i * 0.01;
-            if (wrong(Step(method, z + 1e-9)))
-            {
-                return z;
-            }
-        }
-
-        return double.NaN;
-    }
+    private static double First(Integrator method, Func<double, bool> wrong) =>
+        Enumerable.Range(1, 1000).Select(i => i * 0.01).FirstOrDefault(z => wrong(Step(method, z + 1e-9)), double.NaN);
 
     private static double Step(Integrator method, double h)
     {
         static double F(double u) => -Math.Abs(u) * u;
         double k1 = F(1);
-        switch (method)
+        double k2 = F(1 + (0.5 * h * k1));
+        double k3 = F(1 + (0.5 * h * k2));
+        return method switch
         {
-            case Integrator.Rk2:
-                return 1 + (h * F(1 + (0.5 * h * k1)));
-            case Integrator.Rk4:
-                double k2 = F(1 + (0.5 * h * k1));
-                double k3 = F(1 + (0.5 * h * k2));
-                double k4 = F(1 + (h * k3));
-                return 1 + (h / 6 * (k1 + (2 * k2) + (2 * k3) + k4));
-            default:
-                return 1 + (h * k1);
-        }
+            Integrator.Rk2 => 1 + (h * k2),
+            Integrator.Rk4 => 1 + (h / 6 * (k1 + (2 * k2) + (2 * k3) + F(1 + (h * k3)))),
+            _ => 1 + (h * k1),
+        };
     }
 }

@@ -41,6 +41,8 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
 
     public int Index { get; private set; } = -1;
 
+    public bool HasFindings => findings.Count > 0;
+
     /// <summary>The length of the frame, s.</summary>
     public double Length { get; private set; }
 
@@ -73,7 +75,7 @@ internal sealed class StressFrame(StressScene scene, Simulator simulator, double
         Log.Clear();
         simulator.Step(ref state, length, Log);
         _after = state;
-        Tally += Tally.Of(Log);
+        Tally += Tally.Of(Log) with { InNets = _before.Nets != 0 ? 1 : 0 };
         Fastest = Math.Max(_before.Velocity.Length, _after.Velocity.Length);
         foreach (ref readonly BallEvent item in Log.Events)
         {

@@ -14,19 +14,11 @@ internal sealed record StressOutcome(string Kind, Integrator Method, Tally Tally
     public string Verdict => Failure is { } f ? $"{f.Check}: {f.Detail}" : "holds";
 }
 
-/// <summary>Counts of one scene, or their sum over many.</summary>
-/// <param name="Scenes">The scenes.</param>
-/// <param name="Failed">The scenes that failed.</param>
-/// <param name="Frames">The frames.</param>
-/// <param name="Steps">The pieces of motion.</param>
-/// <param name="MostSteps">The most pieces in one frame.</param>
-/// <param name="Stalled">The steps that reached their last piece.</param>
-/// <param name="StalledFrames">The frames with such a step.</param>
-/// <param name="Impacts">The impacts.</param>
-/// <param name="Events">The events.</param>
-/// <param name="Rests">The events of rest.</param>
-/// <param name="InNets">The frames that began in a net.</param>
-/// <param name="EnergyShare">The highest share of the allowed energy that the method created in a frame.</param>
+/// <summary>
+/// Counts of one scene, or their sum over many. Steps are pieces of motion; MostSteps is the most of them in one frame. Stalled counts the steps that
+/// reached their last piece, and StalledFrames the frames with such a step. InNets counts the frames that began in a net. EnergyShare is the highest
+/// share of the allowed energy that the method created in a frame.
+/// </summary>
 internal readonly record struct Tally(
     long Scenes, long Failed, long Frames, long Steps, long MostSteps, long Stalled, long StalledFrames, long Impacts, long Events, long Rests, long InNets, double EnergyShare)
 {

@@ -69,3 +69,157 @@ internal static class StressLab
         RollbackCounts.Play(run, (int)((late + LateOfMatch - 1) / LateOfMatch), inHalls: true);
     }
 }
+
+/// <summary>Simulates the matches of the lab, and sums their outcomes.</summary>
+internal static class MatchesReport
+{
+    private static readonly string[] s_columns =
+        ["matches", "balls", "steps", "kicks", "of balls in nets", "goals", "not judged", "balls that must rest", "latest rest, s", "most events", "counted only"];
+
+    /// <summary>The number of scenes listed per violated claim.</summary>
+    private const int Shown = 6;
+
+    private static readonly (MatchClaim Claim, string Name)[] s_claims =
+    [
+        (MatchClaim.Inside, "inside an object that never moves, m"),
+        (MatchClaim.Goals, "goals not reported, reported wrongly or at another time"),
+        (MatchClaim.Rests, "balls that do not come to rest"),
+        (MatchClaim.Events, "more than 24 events of a ball in a step"),
+        (MatchClaim.Stalled, "stalled steps"),
+        (MatchClaim.Finite, "balls that are not finite"),
+        (MatchClaim.Stays, "balls outside the hall"),
+        (MatchClaim.Path, "the look-ahead of a step ends elsewhere, m"),
+        (MatchClaim.Throws, "exceptions"),
+    ];
+
+    public static void Run(LabRun run, long first, long matches, double seconds, int jobs)
+    {
+        EvaluationCounts[] evaluations = [new(), new()];
+        var counts = new LabCounts();
+        MatchOutcome[] outcomes = run.Parallel(matches, jobs, "matches", i =>
+        {
+            MatchOutcome outcome = MatchPlay.Play(run.Seed, first + i, seconds, counts);
+            evaluations[outcome.Balls > 1 ? 1 : 0].Add(outcome);
+            return outcome;
+        });
+        run.Table(FormattableString.Invariant($"Matches of {seconds} s"), s_columns).Add([.. counts.Cells(s_columns)]);
+        LabTable claims = run.Table("Claims", "what", "count", "in matches", "worst", "at", "verdict");
+        foreach ((MatchClaim claim, string name) in s_claims)
+        {
+            MatchOutcome worst = outcomes.MaxBy(o => o[claim].Worst)!;
+            MatchOutcome[] broken = [.. outcomes.Where(o => o[claim].Broken > 0)];
+            claims.Judge(broken.Length == 0, name, broken.Sum(o => o[claim].Broken), broken.Length, worst[claim].Worst, worst[claim].Worst > 0 ? worst[claim].At : null);
+            run.Notes.AddRange(broken.OrderByDescending(o => o[claim].Worst).ThenBy(o => o.Index).Take(Shown).Select(o => $"{name}: {o[claim].At}"));
+        }
+
+        LabTable steps = run.Table("Evaluations of a step", "balls", "steps", "median", "99 %", "99.99 %", "most", "at", "verdict");
+        evaluations[0].AddTo(steps, "one");
+        if (evaluations[1].Steps > 0)
+        {
+            evaluations[1].AddTo(steps, "several");
+        }
+    }
+}
+
+/// <summary>One of the claims that a match is checked against.</summary>
+internal enum MatchClaim
+{
+    Inside,
+    Goals,
+    Rests,
+    Events,
+    Stalled,
+    Finite,
+    Stays,
+    Path,
+    Throws,
+}
+
+/// <summary>The claims of one match, and the work of its steps.</summary>
+internal sealed class MatchOutcome(long index)
+{
+    private readonly (long Broken, double Worst, string At)[] _claims = [.. Enum.GetValues<MatchClaim>().Select(_ => (0L, 0.0, ""))];
+
+    public long Index => index;
+
+    public int Balls { get; init; }
+
+    /// <summary>The evaluations of each step, per ball.</summary>
+    public List<int> Evaluations { get; } = [];
+
+    public Peak<int, FormattableString> MostEvaluations { get; } = new($"");
+
+    /// <summary>The number of violations of a claim, its worst size, and the scene of that size or of the first violation.</summary>
+    public (long Broken, double Worst, string At) this[MatchClaim claim] => _claims[(int)claim];
+
+    /// <summary>Adds a size that a claim bounds.</summary>
+    public void See(MatchClaim claim, double size, bool holds, FormattableString at)
+    {
+        ref (long Broken, double Worst, string At) item = ref _claims[(int)claim];
+        item.Broken += holds ? 0 : 1;
+        if (size > item.Worst || (!holds && item.At.Length == 0))
+        {
+            (item.Worst, item.At) = (Math.Max(size, item.Worst), FormattableString.Invariant($"match {index}, {at}"));
+        }
+    }
+}
+
+/// <summary>The distribution of the evaluations per step and ball.</summary>
+internal sealed class EvaluationCounts
+{
+    /// <summary>The limit of evaluations per step, docs/troubleshooting.md; a larger count is in the last bin.</summary>
+    public const int Most = 32_768;
+
+    private readonly long[] _steps = new long[Most + 2];
+    private readonly Lock _lock = new();
+
+    public long Steps { get; private set; }
+
+    /// <summary>The largest count of a step, and the scene of that step.</summary>
+    private int _largest;
+    private string _largestAt = "";
+
+    /// <summary>Adds the steps of a match, and frees their list.</summary>
+    public void Add(MatchOutcome match)
+    {
+        lock (_lock)
+        {
+            foreach (int count in match.Evaluations)
+            {
+                _steps[Math.Min(count, Most + 1)]++;
+            }
+
+            Steps += match.Evaluations.Count;
+            match.Evaluations.Clear();
+            match.Evaluations.TrimExcess();
+
+            // Of equal counts keep the first text, because matches end in any order.
+            string at = FormattableString.Invariant(match.MostEvaluations.At);
+            int largest = match.MostEvaluations.Most;
+            if (largest > _largest || (largest == _largest && string.CompareOrdinal(at, _largestAt) < 0))
+            {
+                (_largest, _largestAt) = (largest, at);
+            }
+        }
+    }
+
+    /// <summary>Returns the count that a share of the steps does not exceed.</summary>
+    private long At(double share)
+    {
+        long wanted = (long)Math.Ceiling(share * Steps);
+        long seen = 0;
+        for (int i = 0; i < _steps.Length; i++)
+        {
+            seen += _steps[i];
+            if (seen >= wanted)
+            {
+                return i;
+            }
+        }
+
+        return Most + 1;
+    }
+
+    /// <summary>Adds a row.</summary>
+    public void AddTo(LabTable table, string balls) => table.Judge(_largest <= Most, balls, Steps, At(0.5), At(0.99), At(0.9999), _largest, _largestAt);
+}
