@@ -19,14 +19,12 @@ internal static class ArrivalCounts
         Ground,
     }
 
-    public static LabCounts Of(int seed, int count, Kind kind) =>
-        LabCounts.Of(count, PerAimer, (counts, index, requests) => Run(counts, new Random((seed * 100_003) + index), requests, kind));
-
-    private static void Run(LabCounts counts, Random random, int count, Kind kind)
+    public static LabCounts Of(int seed, int count, Kind kind) => LabCounts.Of(count, PerAimer, (counts, index, requests) =>
     {
+        var random = new Random((seed * 100_003) + index);
         var simulator = new Simulator();
         var aimer = new Aimer(simulator);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < requests; i++)
         {
             double height = kind switch { Kind.Air => random.Between(0.5, 2.2), Kind.Volley => random.Between(0.2, 0.6), _ => 0.11 };
             double away = kind switch { Kind.Air => random.Between(8, 25), Kind.Volley => random.Between(4, 9), _ => random.Between(20, 45) };
@@ -55,7 +53,7 @@ internal static class ArrivalCounts
             counts.Require(error <= LargestError, "hits at another speed", example);
             counts.Most("worst, m/s", error);
         }
-    }
+    });
 
     /// <summary>Returns the speed of a kick at its target, simulated in short steps. For a kick that comes down there, it is the speed before it touches the ground.</summary>
     private static double Played(Simulator simulator, AimRequest request, in AimResult kick)
@@ -84,27 +82,12 @@ internal static class SlopeCounts
     /// <param name="count">The number of requests.</param>
     /// <param name="steepest">The steepest slope, as a share.</param>
     /// <param name="isUneven">True if the ground is a height field.</param>
-    public static LabCounts Of(int seed, int count, double steepest, bool isUneven) =>
-        LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, new Random((seed * 100_003) + index), requests, steepest, isUneven));
-
-    private static Ground GroundOf(Random random, double steepest, bool isUneven)
+    public static LabCounts Of(int seed, int count, double steepest, bool isUneven) => LabCounts.Of(count, PerScene, (counts, index, requests) =>
     {
-        double x = random.Between(-steepest, steepest);
-        double z = random.Between(-steepest, steepest);
-        if (!isUneven)
-        {
-            return new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(x, 1, z).Normalized() };
-        }
-
-        // Long waves with the same steepness.
-        return new Ground { Material = SurfaceMaterial.DryTurf, Heights = LabMath.Hills(-40, -40, 2, 40, (i, j) => 5 * ((x * Math.Sin(0.4 * i)) + (z * Math.Cos(0.4 * j)))) };
-    }
-
-    private static void Run(LabCounts counts, Random random, int count, double steepest, bool isUneven)
-    {
+        var random = new Random((seed * 100_003) + index);
         var simulator = new Simulator(new Scene { Ground = GroundOf(random, steepest, isUneven) });
         var aimer = new Aimer(simulator);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < requests; i++)
         {
             double away = random.Between(5, 28);
             double angle = random.Between(-Math.PI, Math.PI);
@@ -118,6 +101,19 @@ internal static class SlopeCounts
             counts.Require(passes <= request.Tolerance + Room, "false hits", $"{simulator.Scene.Ground.Normal}: {request}: {kick}, passes {passes} m off");
             counts.Most("worst, mm", 1e3 * passes);
         }
+    });
+
+    private static Ground GroundOf(Random random, double steepest, bool isUneven)
+    {
+        double x = random.Between(-steepest, steepest);
+        double z = random.Between(-steepest, steepest);
+        if (!isUneven)
+        {
+            return new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(x, 1, z).Normalized() };
+        }
+
+        // Long waves with the same steepness.
+        return new Ground { Material = SurfaceMaterial.DryTurf, Heights = LabMath.Hills(-40, -40, 2, 40, (i, j) => 5 * ((x * Math.Sin(0.4 * i)) + (z * Math.Cos(0.4 * j)))) };
     }
 
     private static Vector3d Lying(Simulator simulator, double x, double z) => simulator.Launch(new Vector3d(x, -20, z), Vector3d.Zero, Vector3d.Zero).Position;
@@ -154,10 +150,7 @@ internal static class GroundPassCounts
     /// <param name="count">The number of passes.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     /// <param name="balls">The number of different balls to use.</param>
-    public static LabCounts Of(int seed, int count, double wind, int balls) =>
-        LabCounts.Of(count, PerScene, (counts, index, passes) => Run(counts, seed, index, passes, wind, balls));
-
-    private static void Run(LabCounts counts, int seed, int index, int count, double wind, int balls)
+    public static LabCounts Of(int seed, int count, double wind, int balls) => LabCounts.Of(count, PerScene, (counts, index, passes) =>
     {
         var random = new Random((seed * 100_019) + index);
         Scene scene = KnownKick.Scene(random, index % balls, wind);
@@ -165,7 +158,7 @@ internal static class GroundPassCounts
         var aimer = new Aimer(scene);
         var truth = new TrueMiss(scene);
         var path = new Trajectory(16384);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < passes; i++)
         {
             (AimRequest request, double time) = Draw(random, simulator, path);
             AimResult found = aimer.Find(request);
@@ -184,7 +177,7 @@ internal static class GroundPassCounts
             void Require(bool holds, string column, string question, in AimResult result) => counts.Require(
                 holds, column, $"ground, {question} {index}: {result.Status}, {result.Speed:0.000} m/s, miss {result.Miss:0.000000} m; at {time} s; {request}");
         }
-    }
+    });
 
     /// <summary>Draws a pass, and a point on its path with the time.</summary>
     private static (AimRequest Request, double Time) Draw(Random random, Simulator simulator, Trajectory path)
@@ -231,16 +224,13 @@ internal static class BatchHitCounts
     /// <param name="count">The number of requests.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     /// <param name="drives">True for low drives with backspin.</param>
-    public static LabCounts Of(int seed, int count, double wind, bool drives) =>
-        LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, seed, index, requests, wind, drives));
-
-    private static void Run(LabCounts counts, int seed, int index, int count, double wind, bool drives)
+    public static LabCounts Of(int seed, int count, double wind, bool drives) => LabCounts.Of(count, PerScene, (counts, index, requests) =>
     {
         var random = new Random((seed * 100_043) + index);
         Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, wind);
         double contact = scene.Ball.Radius;
-        var aims = new BatchAims(count) { MaximumElevationDegrees = 60, Tolerance = 1e-3 };
-        for (int i = 0; i < count; i++)
+        var aims = new BatchAims(requests) { MaximumElevationDegrees = 60, Tolerance = 1e-3 };
+        for (int i = 0; i < requests; i++)
         {
             double distance = random.Between(5, 30);
             double angle = random.Between(0, 2 * Math.PI);
@@ -250,10 +240,10 @@ internal static class BatchHitCounts
             aims.Set(i, from, new Vector3d(distance * Math.Cos(angle), height, distance * Math.Sin(angle)), random.Between(15, 35), top, random.Between(-30, 30));
         }
 
-        var kicks = new BatchKicks(count);
-        new BatchAimer(scene).Find(aims, kicks, count);
+        var kicks = new BatchKicks(requests);
+        new BatchAimer(scene).Find(aims, kicks, requests);
         var truth = new TrueMiss(scene);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < requests; i++)
         {
             bool hit = kicks.Status[i] == AimStatus.Hit;
             double miss = hit ? truth.Of(new AimRequest { From = aims.From[i], Target = aims.Target[i] }, kicks.Velocity[i], kicks.Spin[i]) : 0;
@@ -262,5 +252,5 @@ internal static class BatchHitCounts
             counts.AddIf(miss > TrueMiss.Rounding * aims.Tolerance, "false hits");
             counts.Most("worst, mm", 1e3 * miss);
         }
-    }
+    });
 }

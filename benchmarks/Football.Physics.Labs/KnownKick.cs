@@ -128,10 +128,7 @@ internal static class KnownKickCounts
     /// <param name="count">The number of kicks.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     /// <param name="balls">The number of different balls to use.</param>
-    public static LabCounts Of(int seed, int count, double wind, int balls) =>
-        LabCounts.Of(count, PerScene, (counts, index, kicks) => Run(counts, seed, index, kicks, wind, balls));
-
-    private static void Run(LabCounts counts, int seed, int index, int count, double wind, int balls)
+    public static LabCounts Of(int seed, int count, double wind, int balls) => LabCounts.Of(count, PerScene, (counts, index, kicks) =>
     {
         var random = new Random((seed * 100_003) + index);
         Scene scene = KnownKick.Scene(random, index % balls, wind);
@@ -139,7 +136,7 @@ internal static class KnownKickCounts
         var aimer = new Aimer(scene);
         var path = new Trajectory(16384);
         var truth = new TrueMiss(scene);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < kicks; i++)
         {
             KnownKick kick = KnownKick.Draw(random, simulator, path);
             AimRequest request = kick.Request;
@@ -174,5 +171,5 @@ internal static class KnownKickCounts
                 column,
                 $"{question} {index}: {result.Status}, miss {result.Miss:0.000000} m; at {kick.Time} s, {kick.Elevation:0.00}°, through {kick.Between}; {scene.Ball.Mass} kg, wind {scene.Air.Wind}; {kick.Request}");
         }
-    }
+    });
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Labs;
 
-/// <summary>Small computations that the laboratories share. References that are independent of the library use them too, so nothing here calls its contacts.</summary>
+/// <summary>Small computations that the laboratories share. Those that a reference uses do not call the library's contacts.</summary>
 internal static class LabMath
 {
     /// <summary>Returns a number between two bounds.</summary>

@@ -146,13 +146,9 @@ internal sealed class LabCounts
     {
         lock (_lock)
         {
-            _numbers[column] = Largest<T>(column) is { } most && most.CompareTo(number) >= 0 ? most : number;
+            _numbers[column] = _numbers.GetValueOrDefault(column) is T most && most.CompareTo(number) >= 0 ? most : number;
         }
     }
-
-    /// <summary>Returns the largest number of a column; null if there is none.</summary>
-    public T? Largest<T>(string column)
-        where T : struct => _numbers.GetValueOrDefault(column) is T most ? most : null;
 
     /// <summary>Counts a case that fails, and keeps it as an example.</summary>
     public void Require(bool holds, string column, FormattableString example)

@@ -15,16 +15,14 @@ internal static class LookAheadCounts
     /// <summary>Runs look-aheads, on all processors.</summary>
     /// <param name="seed">Seed of the kicks.</param>
     /// <param name="count">The number of kicks.</param>
-    public static LabCounts Of(int seed, int count) => LabCounts.Of(count, PerScene, (counts, index, paths) => Run(counts, seed, index, paths));
-
-    private static void Run(LabCounts counts, int seed, int index, int count)
+    public static LabCounts Of(int seed, int count) => LabCounts.Of(count, PerScene, (counts, index, paths) =>
     {
         var random = new Random((seed * 100_057) + index);
         Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, index % 2 == 0 ? 0 : 20);
         var simulator = new Simulator(scene);
         var path = new Trajectory(16384);
         var other = new Trajectory(16384);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < paths; i++)
         {
             double angle = random.Between(0, 2 * Math.PI);
             var direction = new Vector3d(Math.Cos(angle), random.Between(-0.2, 2), Math.Sin(angle));
@@ -44,7 +42,7 @@ internal static class LookAheadCounts
         }
 
         Push(counts, random, scene, path, other);
-    }
+    });
 
     /// <summary>Tests planes just below the apex, planes through the path, and planes across it.</summary>
     private static void Cross(LabCounts counts, Random random, Trajectory path)

@@ -22,18 +22,7 @@ internal static class ImpactBalances
             }
 
             BallProperties ball = Ball(random);
-            ContactMaterial material = new(SurfaceMaterial.GoalFrame with
-            {
-                NormalRestitution = random.Next(),
-                RestitutionSpeedScale = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
-                TangentialRestitution = random.Uniform(-1, 1),
-                ImpactFriction = random.Uniform(0, 1.5),
-
-                // Spin of two balls about the normal. An object with a mass does not turn, so there is no angular momentum balance for it.
-                SpinRestitution = i % 4 == 0 ? random.Next() : 1,
-                SlidingFriction = random.Uniform(0, 1),
-                TorsionalPatchRadius = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
-            });
+            ContactMaterial material = Material(random, i);
             Vector3d n = random.Direction();
             Vector3d v = random.Uniform(0, 40) * random.Direction();
             Vector3d w = random.Uniform(0, 100) * random.Direction();
@@ -93,6 +82,19 @@ internal static class ImpactBalances
         table.Count("energy gained", worstGain, worstGain <= Rounding);
         table.Count("an infinite mass that gives other bits than none", other, other == 0);
     }
+
+    private static ContactMaterial Material(SeededRandom random, long i) => new(SurfaceMaterial.GoalFrame with
+    {
+        NormalRestitution = random.Next(),
+        RestitutionSpeedScale = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
+        TangentialRestitution = random.Uniform(-1, 1),
+        ImpactFriction = random.Uniform(0, 1.5),
+
+        // Spin of two balls about the normal. An object with a mass does not turn, so there is no angular momentum balance for it.
+        SpinRestitution = i % 4 == 0 ? random.Next() : 1,
+        SlidingFriction = random.Uniform(0, 1),
+        TorsionalPatchRadius = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
+    });
 
     private static BallProperties Ball(SeededRandom random) => new()
     {

@@ -54,8 +54,7 @@ internal sealed class Meetings() : PeopleCases("one thing and a ball")
         }
 
         Cases++;
-        InGround.See(deepest);
-        InGround.Case(deepest > Entered);
+        InGround.Judge(deepest, Entered);
         Overlap.Case(false);
     }
 
@@ -159,11 +158,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
         Note(Turned, ball.Time - OnOpenGround(from, velocity, spin, 0), at);
     }
 
-    private static void Note(PeopleClaim claim, double later, FormattableString? at)
-    {
-        claim.See(later, later > Frame ? at : null);
-        claim.Case(later > Frame);
-    }
+    private static void Note(PeopleClaim claim, double later, FormattableString? at) => claim.Judge(later, Frame, later > Frame ? at : null);
 
     /// <summary>Returns the rolling speed with all the ball's energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>
     private static Vector3d Rolling(BallProperties ball, in BallState s)

@@ -164,6 +164,13 @@ internal sealed class PeopleClaim(string what, ClaimParts parts = ClaimParts.Cou
         }
     }
 
+    /// <summary>Adds a case with a size, which violates the claim if it is larger than a limit.</summary>
+    public void Judge(double size, double limit, FormattableString? at = null)
+    {
+        See(size, at);
+        Case(size > limit);
+    }
+
     /// <summary>Adds its row.</summary>
     public void Report(LabTable table, LabRun run)
     {

@@ -70,13 +70,11 @@ internal sealed class Pinches() : PeopleCases("between two players")
         }
 
         Cases++;
-        Beyond20.See(fastest);
-        Beyond20.Case(fastest > 20);
+        Beyond20.Judge(fastest, 20);
         TooFast.Case(tooFast);
         Squeezed.Case(squeezed);
         Unending.Case(ball.Motion == MotionState.Pinned && players[0].Place.X - players[1].Place.X > 1, $"pinch {index}");
-        InGround.See(deepest);
-        InGround.Case(deepest > Entered);
+        InGround.Judge(deepest, Entered);
     }
 
     /// <summary>Returns the speed of the fastest player who touched the ball in a frame, the times of the touches, and the ball's speed at the first of them.</summary>

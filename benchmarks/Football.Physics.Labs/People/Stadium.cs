@@ -38,9 +38,7 @@ internal sealed class Stadium
         foreach ((int x, int z) in new[] { (-1, -1), (-1, 1), (1, -1), (1, 1) })
         {
             var foot = new Vector3d(x * HalfWidth, 0, z * HalfLength);
-            var tip = new Vector3d(foot.X, 1.5, foot.Z);
-            flags.Add(new Obstacle { Name = "flag", Shape = new CapsuleShape(foot, tip, 0.025) });
-            _standing.AddRod(foot, tip, 0.025);
+            flags.Add(_standing.Rod("flag", foot, new Vector3d(foot.X, 1.5, foot.Z), 0.025));
         }
 
         foreach (int end in new[] { -1, 1 })
@@ -196,16 +194,7 @@ internal sealed class Stadium
         Spheres.Time = time;
     }
 
-    private int Nearest(int first, Vector3d ball)
-    {
-        int nearest = first + 1;
-        for (int i = first + 1; i < first + 11; i++)
-        {
-            nearest = (_players[i].Place - ball).Horizontal.Length < (_players[nearest].Place - ball).Horizontal.Length ? i : nearest;
-        }
-
-        return nearest;
-    }
+    private int Nearest(int first, Vector3d ball) => Enumerable.Range(first + 1, 10).MinBy(i => (_players[i].Place - ball).Horizontal.Length);
 
     /// <summary>Moves a player towards his target, at most at 7 m/s² and 8 m/s.</summary>
     private void Run(int index, bool isNearest, Vector3d ball, double duration)

@@ -116,8 +116,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         {
             Vector3d place = i == parts ? after.Position : _ahead.PositionAt(before.Time + (frame * i / parts));
             double deep = Stadium.BallRadius - stadium.ToStanding(place);
-            Inside.Case(deep > Entered);
-            Inside.See(deep, $"{FormattableString.Invariant(at)}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
+            Inside.Judge(deep, Entered, $"{at}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
         }
     }
 
@@ -150,8 +149,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
 
         double had = Of(stadium.Scene, in before);
         double made = (Of(stadium.Scene, in after) - had) / Math.Abs(had);
-        Made.Case(made > EnergyRounding);
-        Made.See(made, $"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
+        Made.Judge(made, EnergyRounding, $"{at}, {before.Motion} to {after.Motion}");
     }
 
     /// <summary>Returns m v²/2 + I ω²/2 + m g′ y, with g′ reduced by the buoyancy.</summary>
@@ -174,7 +172,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         bool hangs = ball.Motion != MotionState.Rest && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
         bool rests = ball.Motion == MotionState.Rest || hangs;
         Hung.Case(hangs);
-        Restless.Case(!rests, $"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
+        Restless.Case(!rests, $"{at}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
         return true;
     }
 
@@ -195,7 +193,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
             _log.Clear();
             simulator.Step(ref state, step.Frame, _log);
             bool elsewhere = Snapshot.Hash(in state) != step.Hash;
-            RewoundElsewhere.Case(elsewhere, $"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
+            RewoundElsewhere.Case(elsewhere, $"{at}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
             if (elsewhere)
             {
                 return;

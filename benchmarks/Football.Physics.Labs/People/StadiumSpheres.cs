@@ -88,24 +88,17 @@ internal sealed class StadiumSpheres : IEngineColliders
     }
 
     /// <summary>Returns the distance from the nearest of their surfaces, a time after the frame began.</summary>
-    public double Distance(Vector3d place, double after)
+    public double Distance(Vector3d place, double after) => Distance(place, after, 1);
+
+    /// <summary>Returns the distance from the nearest surface of the spheres that never move, which is every second one.</summary>
+    public double ToStanding(Vector3d place) => Distance(place, 0, 2);
+
+    private double Distance(Vector3d place, double after, int every)
     {
         double nearest = double.PositiveInfinity;
-        for (int i = 0; i < _places.Length; i++)
+        for (int i = 0; i < _places.Length; i += every)
         {
             nearest = Math.Min(nearest, (place - (_places[i] + (after * _velocities[i]))).Length - _radii[i]);
-        }
-
-        return nearest;
-    }
-
-    /// <summary>Returns the distance from the nearest surface of the spheres that never move.</summary>
-    public double ToStanding(Vector3d place)
-    {
-        double nearest = double.PositiveInfinity;
-        for (int i = 0; i < _places.Length; i += 2)
-        {
-            nearest = Math.Min(nearest, (place - _places[i]).Length - _radii[i]);
         }
 
         return nearest;

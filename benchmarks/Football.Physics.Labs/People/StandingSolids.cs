@@ -21,7 +21,21 @@ internal sealed class StandingSolids
     public void AddBox(Vector3d center, Vector3d half) => _distances.Add(point => Solid.Box(point, center, half));
 
     /// <summary>Adds a capsule.</summary>
-    public void AddRod(Vector3d from, Vector3d to, double radius) => _distances.Add(point => Solid.Capsule(point, from, to, radius));
+    private void AddRod(Vector3d from, Vector3d to, double radius) => _distances.Add(point => Solid.Capsule(point, from, to, radius));
+
+    /// <summary>Adds an axis-aligned box, and returns it as an obstacle.</summary>
+    public Obstacle Box(string name, Vector3d center, Vector3d half, SurfaceMaterial surface)
+    {
+        AddBox(center, half);
+        return new Obstacle { Name = name, Shape = new BoxShape(center, half), Surface = surface };
+    }
+
+    /// <summary>Adds a capsule, and returns it as an obstacle.</summary>
+    public Obstacle Rod(string name, Vector3d from, Vector3d to, double radius)
+    {
+        AddRod(from, to, radius);
+        return new Obstacle { Name = name, Shape = new CapsuleShape(from, to, radius) };
+    }
 
     /// <summary>Returns the distance of a point from the nearest surface, including the level ground at height 0; negative inside.</summary>
     public double Distance(Vector3d point)

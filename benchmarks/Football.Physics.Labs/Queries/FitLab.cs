@@ -43,7 +43,10 @@ internal sealed class FitCheck
 
     private readonly TrackFit _fit = new(Scene.Measured);
 
-    /// <summary>The cases with all numbers together in the 95 % region, those that did not converge, the steps of all searches; and for each number the cases in which it is within 1.96 standard deviations.</summary>
+    /// <summary>
+    /// The cases with all numbers together in the 95 % region, those that did not converge, the steps of all searches; and for each number the cases in
+    /// which it is within 1.96 standard deviations.
+    /// </summary>
     public LabCounts Counts { get; } = new();
 
     /// <summary>The names of the numbers.</summary>

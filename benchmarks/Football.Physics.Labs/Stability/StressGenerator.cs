@@ -43,25 +43,7 @@ internal static class StressGenerator
         };
         ForceSet forces = Forces(random, kind);
         forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, ball.MostDamping) };
-        if (kind == StressKind.ComesToRest && forces.Buoyancy)
-        {
-            // The ball must be heavier than the air.
-            forces = forces with { Buoyancy = Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
-        }
-
-        if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
-        {
-            // With a lift proportional to the speed and a drag proportional to its square, a ball can sink arbitrarily slowly. Methods of low order lengthen a velocity
-            // that they turn, which keeps a ball bouncing.
-            forces = forces with { Magnus = ForceLaw.Empirical };
-        }
-
-        if (kind == StressKind.ComesToRest && forces.Magnus != ForceLaw.None && forces.SpinDecay != ForceLaw.Empirical)
-        {
-            // Lift supports a ball that keeps its spin: it sinks as slowly as its drag allows, and without drag not at all.
-            forces = forces with { SpinDecay = ForceLaw.Empirical };
-        }
-
+        forces = kind == StressKind.ComesToRest ? Sinking(forces, ball, air) : forces;
         var scene = Scene.Published with { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
         (Vector3d position, Vector3d velocity, Vector3d spin) = Launch(random, kind, scene);
         double[] frames = Frames(random, kind);
@@ -189,6 +171,20 @@ internal static class StressGenerator
             MagnusCoefficient = random.Any(0.25, 0, random.Uniform(-0.5, 0.5)),
             SpinDecayCoefficient = random.Any(0, random.Log(1e-7, 1e-2)),
         };
+    }
+
+    /// <summary>Returns the forces with which a ball sinks, so that it comes to rest.</summary>
+    private static ForceSet Sinking(ForceSet forces, BallProperties ball, Air air)
+    {
+        // The ball must be heavier than the air.
+        forces = forces with { Buoyancy = forces.Buoyancy && Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
+
+        // With a lift proportional to the speed and a drag proportional to its square, a ball can sink arbitrarily slowly. Methods of low order lengthen a velocity
+        // that they turn, which keeps a ball bouncing.
+        forces = forces.Magnus == ForceLaw.Constant ? forces with { Magnus = ForceLaw.Empirical } : forces;
+
+        // Lift supports a ball that keeps its spin: it sinks as slowly as its drag allows, and without drag not at all.
+        return forces.Magnus != ForceLaw.None ? forces with { SpinDecay = ForceLaw.Empirical } : forces;
     }
 
     private static double[] Frames(SeededRandom random, StressKind kind)

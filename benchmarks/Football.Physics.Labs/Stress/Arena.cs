@@ -248,15 +248,12 @@ internal sealed class Arena
             {
                 var half = new Vector3d(_random.Uniform(0.05, 1), _random.Uniform(0.1, 1), _random.Uniform(0.05, 1));
                 Vector3d center = foot + new Vector3d(0, half.Y, 0);
-                _standing.AddBox(center, half);
-                all.Add(new Obstacle { Name = "box", Shape = new BoxShape(center, half), Surface = SurfaceMaterial.Wood });
+                all.Add(_standing.Box("box", center, half, SurfaceMaterial.Wood));
             }
             else
             {
                 Vector3d tip = foot + new Vector3d(_random.Uniform(-0.5, 0.5), _random.Uniform(0.5, 2), _random.Uniform(-0.5, 0.5));
-                double radius = _random.Uniform(0.02, 0.2);
-                _standing.AddRod(foot, tip, radius);
-                all.Add(new Obstacle { Name = "rod", Shape = new CapsuleShape(foot, tip, radius) });
+                all.Add(_standing.Rod("rod", foot, tip, _random.Uniform(0.02, 0.2)));
             }
         }
 

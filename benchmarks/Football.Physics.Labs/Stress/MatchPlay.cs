@@ -176,8 +176,8 @@ internal sealed class MatchPlay
             ref readonly BallState ball = ref _arena.Balls[i];
             bool isFinite = ball.Position.IsFinite && ball.Velocity.IsFinite && ball.Spin.IsFinite && Math.Abs(ball.Orientation.LengthSquared - 1) < 1e-6;
             _outcome.See(MatchClaim.Finite, 0, isFinite, at);
-            _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{FormattableString.Invariant(at)}, ball {i} at {ball.Position}");
-            Deep(ball.Position, $"{FormattableString.Invariant(at)}, ball {i}, end, {ball.Motion}");
+            _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{at}, ball {i} at {ball.Position}");
+            Deep(ball.Position, $"{at}, ball {i}, end, {ball.Motion}");
         }
     }
 
