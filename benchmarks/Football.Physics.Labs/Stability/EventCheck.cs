@@ -8,6 +8,7 @@ internal static class EventCheck
     public static void Events(StressFrame frame)
     {
         double lastTime = frame.Before.Time;
+        double end = frame.Before.Time + frame.Length;
         foreach (ref readonly BallEvent item in frame.Log.Events)
         {
             bool finite = item.Position.IsFinite && item.Velocity.IsFinite && item.Spin.IsFinite
@@ -18,7 +19,9 @@ internal static class EventCheck
                 continue;
             }
 
-            Order(frame, in item, lastTime);
+            frame.FindIf(
+                !(item.Time >= lastTime && item.Time <= end), "time of an event", Math.Max(lastTime - item.Time, item.Time - end),
+                $"{item.Kind} at {item.Time:R} after {lastTime:R} in a frame to {end:R}");
             double off = Math.Abs(item.Position.Y - frame.Contact);
             frame.FindIf(off > frame.Touching, "event off contact", off, $"{item.Kind}");
 
@@ -130,14 +133,6 @@ internal static class EventCheck
         double down = Math.Max(0, -frame.Scene.Upward) + frame.Air.Size(speed, scene.Ball.Radius * impact.Spin.Length);
         double tolerance = settings.CollisionTiming == CollisionTiming.Bisection ? 2 * settings.CollisionTolerance : 1e-12;
         return ((1 - 1e-6) * impact.Velocity.Y / Math.Max(down, 1e-300)) - tolerance;
-    }
-
-    private static void Order(StressFrame frame, in BallEvent item, double lastTime)
-    {
-        double end = frame.Before.Time + frame.Length;
-        frame.FindIf(
-            !(item.Time >= lastTime && item.Time <= end), "time of an event", Math.Max(lastTime - item.Time, item.Time - end),
-            $"{item.Kind} at {item.Time:R} after {lastTime:R} in a frame to {end:R}");
     }
 
     private static void Impact(StressFrame frame, in BallEvent item)
