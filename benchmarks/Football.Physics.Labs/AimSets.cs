@@ -18,7 +18,7 @@ internal static class AimSets
     public static AimRequest[] Thesis(int seed, int count)
     {
         var random = new Random(seed);
-        return Make(count, () => Before(random, InGoal(random), Between(random, 15, 25)) with { Speed = 25, TopSpin = 20, SideSpin = 10, MaximumElevationDegrees = 30 });
+        return Make(count, () => Before(random, InGoal(random), random.Between(15, 25)) with { Speed = 25, TopSpin = 20, SideSpin = 10, MaximumElevationDegrees = 30 });
     }
 
     /// <summary>4.1.3, limits: the same kick from increasing distances, at most 45°.</summary>
@@ -36,11 +36,11 @@ internal static class AimSets
     public static AimRequest[] Studio(int seed, int count)
     {
         var random = new Random(seed);
-        return Make(count, () => Before(random, InGoal(random), Between(random, 14, 20)) with
+        return Make(count, () => Before(random, InGoal(random), random.Between(14, 20)) with
         {
-            Speed = Between(random, 20, 30),
-            TopSpin = Between(random, -20, 20),
-            SideSpin = Between(random, -20, 20),
+            Speed = random.Between(20, 30),
+            TopSpin = random.Between(-20, 20),
+            SideSpin = random.Between(-20, 20),
             MaximumElevationDegrees = 30,
         });
     }
@@ -67,34 +67,23 @@ internal static class AimSets
         var aimer = new Aimer(Scene.Published);
         return Make(count, () =>
         {
-            AimRequest request = Before(random, InGoal(random), Between(random, 12, 45)) with
+            AimRequest request = Before(random, InGoal(random), random.Between(12, 45)) with
             {
                 Speed = 60,
-                TopSpin = Between(random, -20, 20),
-                SideSpin = Between(random, -20, 20),
+                TopSpin = random.Between(-20, 20),
+                SideSpin = random.Between(-20, 20),
             };
-            return request with { Speed = aimer.FindSlowest(request).Velocity.Length / Between(random, 1.04, 1.15) };
+            return request with { Speed = aimer.FindSlowest(request).Velocity.Length / random.Between(1.04, 1.15) };
         });
     }
 
-    internal static double Between(Random random, double low, double high) => low + ((high - low) * random.NextDouble());
+    private static AimRequest[] Make(int count, Func<AimRequest> next) => [.. Enumerable.Range(0, count).Select(_ => next())];
 
-    private static AimRequest[] Make(int count, Func<AimRequest> next)
-    {
-        var requests = new AimRequest[count];
-        for (int i = 0; i < count; i++)
-        {
-            requests[i] = next();
-        }
-
-        return requests;
-    }
-
-    private static Vector3d InGoal(Random random) => new(0, Between(random, 0.2, 2.2), Between(random, -3.3, 3.3));
+    private static Vector3d InGoal(Random random) => new(0, random.Between(0.2, 2.2), random.Between(-3.3, 3.3));
 
     private static AimRequest Before(Random random, Vector3d target, double distance)
     {
-        (double sin, double cos) = Math.SinCos(Between(random, -0.7, 0.7));
+        (double sin, double cos) = Math.SinCos(random.Between(-0.7, 0.7));
         return new AimRequest { From = new Vector3d(target.X - (distance * cos), Radius, target.Z + (distance * sin)), Target = target };
     }
 
@@ -110,13 +99,13 @@ internal static class AimSets
     {
         while (true)
         {
-            double speed = Between(random, 20, 32);
-            (double up, double along) = Math.SinCos(Between(random, 8, 22) * Math.PI / 180);
+            double speed = random.Between(20, 32);
+            (double up, double along) = Math.SinCos(random.Between(8, 22) * Math.PI / 180);
             var velocity = new Vector3d(speed * along, speed * up, 0);
-            Vector3d spin = KickVectors.Spin(velocity, Between(random, -30, 30), Between(random, -30, 30));
+            Vector3d spin = KickVectors.Spin(velocity, random.Between(-30, 30), random.Between(-30, 30));
             simulator.LookAhead(simulator.Launch(new Vector3d(0, Radius, 0), velocity, spin), new LookAheadRequest { TimeStep = 0.01, StopAt = StopAt.Impact }, path);
-            double distance = Between(random, 18, 35);
-            double way = distance * Between(random, 0.35, 0.65);
+            double distance = random.Between(18, 35);
+            double way = distance * random.Between(0.35, 0.65);
             if (path.TryGetCrossing(new Plane3d(new Vector3d(distance, 0, 0), new Vector3d(1, 0, 0)), out PathPoint target)
                 && path.TryGetCrossing(new Plane3d(new Vector3d(way, 0, 0), new Vector3d(1, 0, 0)), out PathPoint through)
                 && target.Position.Y > 0.2)

@@ -1,6 +1,4 @@
-using System.CommandLine;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs;
@@ -26,22 +24,21 @@ internal static class BallsLab
         ("jabulani", BallProperties.Jabulani), ("brazuca", BallProperties.Brazuca),
     ];
 
-    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
+    public static Lab Create() => new Lab(
         "balls",
         "Drag and lift coefficients of each ball by speed and spin, in the published and the measured profile.",
         ["football lab balls", "football lab balls --csv balls.csv --plot balls.svg"],
-        terminal,
-        (_, seed, _) => Run(seed));
+        isDrawn: true).Plays(Run);
 
-    private static LabReport Run(long seed)
+    private static void Run(LabRun run)
     {
-        var drags = new LabTable("C_D without spin", [.. Balls.Select(item => item.Name).Prepend("m/s"), "published"]);
+        LabTable drags = run.Table("C_D without spin", [.. Balls.Select(item => item.Name).Prepend("m/s"), "published"]);
         foreach (double speed in Speeds)
         {
             drags.Add([speed, .. Balls.Select(item => (object?)Of(item.Ball, speed, 0).Drag), Published(speed, 0).Drag]);
         }
 
-        var spins = new LabTable(
+        LabTable spins = run.Table(
             $"By spin across the motion, {SpinSpeed} m/s",
             "S", "C_D generic", "by spin", "Goff & Carré", "Kiratidis & Leinweber", "C_D published", "C_L generic", "C_L published");
         double without = Of(BallProperties.Tunnel, SpinSpeed, 0).Drag;
@@ -52,16 +49,14 @@ internal static class BallsLab
             spins.Add(spin, drag, drag - without, spin > 0 ? GoffAndCarre(spin) : null, spin <= 0.3 ? KiratidisAndLeinweber(spin) : null, thesisDrag, lift, thesisLift);
         }
 
-        var points = new LabTable("Measured C_L", "source", "S", "reported", "measured laws", "published laws");
+        LabTable points = run.Table("Measured C_L", "source", "S", "reported", "measured laws", "published laws");
         foreach ((string source, double spin, double lift) in PublishedPoints)
         {
             points.Add(source, spin, lift, Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, Published(SpinSpeed, spin).Lift);
         }
 
-        var report = new LabReport { Name = "balls", Seed = seed, Tables = { drags, spins, points } };
-        report.Notes.Add("Laboratories differ by ±0.04 in C_L; Mencke's point is outside every tunnel's series, and no smooth law meets both of the first two.");
-        report.Picture = Picture;
-        return report;
+        run.Notes.Add("Laboratories differ by ±0.04 in C_L; Mencke's point is outside every tunnel's series, and no smooth law meets both of the first two.");
+        run.Picture = Picture;
     }
 
     /// <summary>Returns the addition of spin to C_D, Goff and Carré 2009.</summary>

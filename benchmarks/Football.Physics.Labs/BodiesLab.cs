@@ -1,7 +1,4 @@
-using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -41,22 +38,19 @@ internal static class BodiesLab
         Corrected,
     }
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Lab Create() => new Lab(
         "bodies",
         "How far a rigid body, stepped as engines do, misses the library's own flight at 10, 20 and 30 m, with the air's forces from Aerodynamics.",
-        ["football lab bodies"],
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+        ["football lab bodies"]).Plays(Run);
 
-    private static LabReport Run(long seed, Progress progress)
+    private static void Run(LabRun run)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 53));
+        SeededRandom random = run.Random(53);
         var scene = new Scene { Ground = Ground.None };
         var air = new Aerodynamics(scene);
-        var table = new LabTable(
+        LabTable table = run.Table(
             "60 kicks: distance from the library's flight in the plane, mm",
             "steps", "distance, m", "exact mean", "exact worst", "body mean", "body worst", "more, worst", "kicked mean", "kicked worst", "corrected mean", "corrected worst", "verdict");
-        var report = new LabReport { Name = "bodies", Seed = seed, Tables = { table } };
         var kicks = new (Vector3d Velocity, Vector3d Spin)[Kicks];
         var truth = new Vector3d[Kicks][];
         for (int i = 0; i < Kicks;)
@@ -69,7 +63,7 @@ internal static class BodiesLab
 
         foreach (int rate in (int[])[240, 50])
         {
-            progress.Report(table.Rows.Count, 6, () => $"{rate} Hz");
+            run.Progress.Report(table.Rows.Count, 6, () => $"{rate} Hz");
             double step = 1.0 / rate;
             double[][][] misses = [.. Enum.GetValues<Body>().Select(body => Misses(body, scene, air, step, kicks, truth))];
             for (int d = 0; d < Distances.Length; d++)
@@ -81,14 +75,12 @@ internal static class BodiesLab
                 double[] corrected = Of(Body.Corrected);
                 double more = rigid.Zip(exact, (mine, own) => mine - own).Max();
                 bool holds = more <= 1e3 * MostMore && (rate != 240 || corrected.Max() <= 1e3 * MostCorrected);
-                report.Failed |= !holds;
-                table.Add($"{rate} Hz", Distances[d], exact.Average(), exact.Max(), rigid.Average(), rigid.Max(), more, kicked.Average(), kicked.Max(), corrected.Average(), corrected.Max(), Verdict.Of(holds));
+                table.Judge(holds, $"{rate} Hz", Distances[d], exact.Average(), exact.Max(), rigid.Average(), rigid.Max(), more, kicked.Average(), kicked.Max(), corrected.Average(), corrected.Max());
             }
         }
 
-        report.Notes.Add("exact: the library's semi-implicit Euler method. body: single precision, forces from Aerodynamics. kicked: the same, kicked with KickVelocity. corrected: forces from EvaluateForStep too.");
-        report.Notes.Add(FormattableString.Invariant($"{Many} bodies in one call: {TimeOfMany(air, kicks):0.00} ms"));
-        return report;
+        run.Notes.Add("exact: the library's semi-implicit Euler method. body: single precision, forces from Aerodynamics. kicked: the same, kicked with KickVelocity. corrected: forces from EvaluateForStep too.");
+        run.Notes.Add(FormattableString.Invariant($"{Many} bodies in one call: {TimeOfMany(air, kicks):0.00} ms"));
     }
 
     private static (Vector3d Velocity, Vector3d Spin) Kick(SeededRandom random)
@@ -130,19 +122,19 @@ internal static class BodiesLab
         float mass = (float)air.Scene.Ball.Mass;
         float inertia = (float)air.Scene.Ball.MomentOfInertia;
         var gravity = new System.Numerics.Vector3(0, -9.81f, 0);
-        Vector3d pull = Double(gravity) + (air.Buoyancy / air.Scene.Ball.Mass);
+        Vector3d pull = (Vector3d)gravity + (air.Buoyancy / air.Scene.Ball.Mass);
         System.Numerics.Vector3 position = default;
-        System.Numerics.Vector3 velocity = Single(body == Body.Rigid ? kick : air.KickVelocity(Vector3d.Zero, kick, kickSpin, dt, pull));
-        System.Numerics.Vector3 spin = Single(kickSpin);
+        System.Numerics.Vector3 velocity = (body == Body.Rigid ? kick : air.KickVelocity(Vector3d.Zero, kick, kickSpin, dt, pull)).ToVector3();
+        System.Numerics.Vector3 spin = kickSpin.ToVector3();
         return Crossings(step, Longest, () =>
         {
             ForceAndTorque load = body == Body.Corrected
-                ? air.EvaluateForStep(Double(position), Double(velocity), Double(spin), dt, pull)
-                : air.Evaluate(Double(position), Double(velocity), Double(spin));
-            velocity += dt * (gravity + (Single(load.Force + air.Buoyancy) / mass));
-            spin += dt * (Single(load.Torque) / inertia);
+                ? air.EvaluateForStep(position, velocity, spin, dt, pull)
+                : air.Evaluate(position, velocity, spin);
+            velocity += dt * (gravity + ((load.Force + air.Buoyancy).ToVector3() / mass));
+            spin += dt * (load.Torque.ToVector3() / inertia);
             position += dt * velocity;
-            return Double(position);
+            return position;
         });
     }
 
@@ -184,8 +176,4 @@ internal static class BodiesLab
 
         return least;
     }
-
-    private static System.Numerics.Vector3 Single(Vector3d v) => new((float)v.X, (float)v.Y, (float)v.Z);
-
-    private static Vector3d Double(System.Numerics.Vector3 v) => new(v.X, v.Y, v.Z);
 }

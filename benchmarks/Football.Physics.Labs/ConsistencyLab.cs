@@ -1,8 +1,5 @@
-using System.CommandLine;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -16,21 +13,19 @@ internal static class ConsistencyLab
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
 
-    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
+    public static Lab Create() => new Lab(
         "consistency",
         "Distances between the landing points of 250 shots, each with three time steps (Test 3.4.2 of the original thesis).",
         ["football lab consistency --seed 3 --json consistency.json"],
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+        isDrawn: true).Plays(Run);
 
-    private static LabReport Run(long seed, Progress progress)
+    private static void Run(LabRun run)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "Consistency (3.4.2), 250 shots: gap between landing points, mm",
             "set", "law", "method", "steps", "mean", "p95", "worst", "thesis mean", "reach", "verdict");
-        var report = new LabReport { Name = "consistency", Seed = seed, Tables = { table } };
         var charts = new List<Func<XElement>>();
-        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(seed, Shots)), ("slow", ShotSets.Slow(seed, Shots)) })
+        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(run.Seed, Shots)), ("slow", ShotSets.Slow(run.Seed, Shots)) })
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
@@ -39,7 +34,7 @@ internal static class ConsistencyLab
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
                 {
-                    progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
+                    run.Progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
                     double[][] gaps = Measure(shots, forces, locate, method);
                     for (int i = 0; i < gaps.Length; i++)
                     {
@@ -57,8 +52,7 @@ internal static class ConsistencyLab
             }
         }
 
-        report.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
-        return report;
+        run.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
     }
 
     private static double[] Thesis(Integrator method) => method == Integrator.Rk2 ? [3.1, 7.1, 7.0] : [1.8, 3.8, 3.2];
@@ -86,12 +80,8 @@ internal static class ConsistencyLab
     private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
     {
         var simulator = new Simulator(Scene.Published with { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
-        Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
-        {
-            BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);
-            simulator.Run(ref state, step, 30, StopAt.Impact, new StepLog());
-            return state.Position;
-        }).ToArray())];
+        Vector3d[][] landings =
+            [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot => simulator.Fly(Shot.Spot, shot.Velocity, shot.Spin, step, 30, StopAt.Impact).Position).ToArray())];
         double[] Between(int a, int b) => [.. landings[a].Zip(landings[b], (p, q) => Millimetre * Vector3d.Distance(p, q))];
         return [Between(0, 1), Between(1, 2), Between(0, 2)];
     }

@@ -1,9 +1,6 @@
-using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -18,33 +15,26 @@ internal static class CostLab
 
     private const int WarmUp = 60;
 
-    public static Command Create(Terminal terminal)
-    {
-        Option<bool> quick = LabOptions.Quick();
-        return LabOptions.CreateDrawn(
-            "cost",
-            "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
-            ["football lab cost --quick"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick) ? Frames / 100 : Frames, parsed.GetValue(quick) ? 1 : WarmUp, progress),
-            quick);
-    }
+    public static Lab Create() => new Lab(
+        "cost",
+        "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
+        ["football lab cost --quick"],
+        isDrawn: true).PlaysQuick((run, quick) => Run(run, quick ? Frames / 100 : Frames, quick ? 1 : WarmUp));
 
-    private static LabReport Run(long seed, int frames, int warmUp, Progress progress)
+    private static void Run(LabRun run, int frames, int warmUp)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             $"Time of a step (3.4.3), {frames} frames a row without an event, ns",
             "method", "motion", "p5", "median", "p95", "p99", "mean to p99", "thesis, all motions", "times faster");
-        var report = new LabReport { Name = "cost", Seed = seed, Tables = { table } };
         var shown = new List<(Integrator Method, double[] Times)>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = method });
-            Dictionary<MotionState, BallState[]> before = Collect(simulator, seed, frames);
+            Dictionary<MotionState, BallState[]> before = Collect(simulator, run.Random(343), frames);
             var log = new StepLog();
             foreach ((MotionState motion, BallState[] states) in before)
             {
-                progress.Report(table.Rows.Count, 16, () => $"{method}, {motion}");
+                run.Progress.Report(table.Rows.Count, 16, () => $"{method}, {motion}");
                 for (int i = 0; i < warmUp; i++)
                 {
                     Time(simulator, states, log, states.Length / warmUp, []);
@@ -65,14 +55,13 @@ internal static class CostLab
             }
         }
 
-        report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
-        report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
-        report.Picture = () =>
+        run.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
+        run.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
+        run.Picture = () =>
         {
             double longest = shown.Max(row => row.Times.Max());
             return Figure.Tile("Time of a step in flight", [.. shown.Select(row => Histogram(row.Method, row.Times, longest))]);
         };
-        return report;
     }
 
     private static double Thesis(Integrator method) => method switch
@@ -84,10 +73,9 @@ internal static class CostLab
     };
 
     /// <summary>Returns the states before a number of event-free steps of each motion. Balls are kicked, come to rest and are kicked again.</summary>
-    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
+    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, SeededRandom random, int frames)
     {
         var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Pinned).ToDictionary(motion => motion, _ => new List<BallState>(frames));
-        var random = new SeededRandom(SeededRandom.Mix(seed, 343));
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < frames))
         {

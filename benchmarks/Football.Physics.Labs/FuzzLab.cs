@@ -1,7 +1,5 @@
 using System.CommandLine;
 using System.Diagnostics;
-using System.Globalization;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Labs.Fuzz;
 
@@ -14,50 +12,31 @@ internal static class FuzzLab
     private const long Most = 1_000_000_000_000;
     private const int LongestInput = 4000;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
-        Option<long> count = Arguments.Whole("--count", "Inputs of each kind.", 1, Most, ByDefault);
-        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor.");
-        return LabOptions.Create(
+        var lab = new Lab(
             "fuzz",
             "Randomly corrupted scenarios, kick logs, recordings and snapshots: each is rejected or gives a correct result.",
-            ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run("fuzz", seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), FuzzTarget.All, progress),
-            count,
-            jobs);
+            ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"]);
+        Option<long> count = lab.Whole("--count", "Inputs of each kind.", 1, Most, ByDefault);
+        Option<long> jobs = lab.Jobs("Threads; default: one per processor.");
+        return lab.Plays(run => Run(run, run.Get(count), run.Int(jobs), FuzzTarget.All));
     }
 
     /// <summary>Tries inputs of several kinds.</summary>
-    /// <param name="name">Name of the experiment.</param>
-    /// <param name="seed">The seed.</param>
+    /// <param name="lab">The run that receives the tables.</param>
     /// <param name="count">The number of inputs of each kind.</param>
     /// <param name="jobs">The number of threads.</param>
     /// <param name="targets">The kinds.</param>
-    /// <param name="progress">Receives the progress.</param>
-    internal static LabReport Run(string name, long seed, long count, int jobs, IReadOnlyList<FuzzTarget> targets, Progress progress)
+    internal static void Run(LabRun lab, long count, int jobs, IReadOnlyList<FuzzTarget> targets)
     {
-        var table = new LabTable(
-            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "its number", "verdict");
+        LabTable table = lab.Table(FormattableString.Invariant($"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "its number", "verdict");
         var findings = new LabTable("what must not be", "kind", "finding", "times", "first", "its input");
-        var report = new LabReport { Name = name, Seed = seed, Tables = { table } };
         foreach (FuzzTarget target in targets)
         {
-            var run = new FuzzRun(target, seed);
-            long done = 0;
-            Parallel.For(0L, count, new ParallelOptions { MaxDegreeOfParallelism = jobs }, i =>
-            {
-                run.Try(i);
-                long now = Interlocked.Increment(ref done);
-                if (now % 256 == 0)
-                {
-                    lock (progress)
-                    {
-                        progress.Report(now, count, () => target.Name);
-                    }
-                }
-            });
-            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, run.SlowestInput, Verdict.Of(run.Findings.Count == 0));
+            var run = new FuzzRun(target, lab.Seed);
+            lab.Parallel(0, count, jobs, target.Name, run.Try);
+            table.Judge(run.Findings.Count == 0, [target.Name, .. run.Counts.Cells("refused", "right"), run.Findings.Values.Sum(found => found.Times), run.Slowest.Most, run.Slowest.At]);
             foreach ((string what, (long times, long first)) in run.Findings)
             {
                 findings.Add(target.Name, what, times, first, Quote.Short(target.Text(run.Input(first)), LongestInput));
@@ -66,12 +45,10 @@ internal static class FuzzLab
 
         if (findings.Rows.Count > 0)
         {
-            report.Tables.Add(findings);
-            report.Failed = true;
+            lab.Tables.Add(findings);
         }
 
         using var process = Process.GetCurrentProcess();
-        report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"Peak memory: {process.PeakWorkingSet64 / 1048576.0:0} MiB."));
-        return report;
+        lab.Notes.Add(FormattableString.Invariant($"Peak memory: {process.PeakWorkingSet64 / 1048576.0:0} MiB."));
     }
 }

@@ -1,6 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>football lab kicks: kicks that were measured, filmed or described, simulated with both profiles.</summary>
@@ -23,12 +20,10 @@ internal static class KicksLab
     /// <summary>The number of seeds of the knuckle force that are simulated.</summary>
     private const int Seeds = 200;
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Lab Create() => new Lab(
         "kicks",
         "Known kicks (measured, filmed or reported), compared with both profiles, including those that neither reproduces.",
-        ["football lab kicks", "football lab kicks --csv kicks.csv"],
-        terminal,
-        (_, seed, _) => Run(seed));
+        ["football lab kicks", "football lab kicks --csv kicks.csv"]).Plays(Run);
 
     /// <summary>All rows.</summary>
     public static IReadOnlyList<ReportedKick> Kicks { get; } =
@@ -50,28 +45,19 @@ internal static class KicksLab
         new("Knuckle ball of 30 m/s, 20 m", "scatter aside, SD, m", null, 0, Scatter),
     ];
 
-    private static LabReport Run(long seed)
+    private static void Run(LabRun run)
     {
-        var table = new LabTable("Kicks", "kick", "number", "reported", "±", "measured", "measured is", "published", "published is", "why not");
-        var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
+        LabTable table = run.Table("Kicks", "kick", "number", "reported", "±", "measured", "measured is", "published", "published is", "why not");
         foreach (ReportedKick kick in Kicks)
         {
             double measured = kick.Of(Tunnel);
             double published = kick.Of(Scene.Published);
             table.Add(kick.Name, kick.Number, kick.Reported, kick.Reported is null ? null : kick.Within, measured, kick.Verdict(measured), published, kick.Verdict(published), kick.WhyNot);
         }
-
-        return report;
     }
 
-    private static Vector3d Landing(Scene scene, double speed, double elevation)
-    {
-        var simulator = new Simulator(scene);
-        var log = new StepLog();
-        BallState state = simulator.Launch(new Vector3d(0, Radius, 0), Velocity(speed, elevation), Vector3d.Zero);
-        simulator.Run(ref state, 0.01, 20, StopAt.Impact, log);
-        return log.Events[0].Position;
-    }
+    private static Vector3d Landing(Scene scene, double speed, double elevation) =>
+        new Simulator(scene).FirstImpact(new Vector3d(0, Radius, 0), Velocity(speed, elevation), Vector3d.Zero, 0.01, 20).Position;
 
     private static Vector3d Apex(Scene scene)
     {
@@ -115,15 +101,8 @@ internal static class KicksLab
         double farthest = 0;
         for (double degrees = 20; degrees <= 60; degrees += 0.5)
         {
-            var simulator = new Simulator(scene);
-            var log = new StepLog();
-            BallState state = simulator.Launch(new Vector3d(0, height, 0), Velocity(speed, degrees * Degree), new Vector3d(0, 0, -topSpin));
-            simulator.Run(ref state, 0.02, 20, StopAt.Impact, log);
-            if (log.Events[0].Position.X > farthest)
-            {
-                farthest = log.Events[0].Position.X;
-                best = degrees;
-            }
+            double range = new Simulator(scene).FirstImpact(new Vector3d(0, height, 0), Velocity(speed, degrees * Degree), new Vector3d(0, 0, -topSpin), 0.02, 20).Position.X;
+            (farthest, best) = range > farthest ? (range, degrees) : (farthest, best);
         }
 
         return best;
@@ -139,14 +118,12 @@ internal static class KicksLab
     /// <summary>Returns the standard deviation of the lateral positions at which knuckle balls of many seeds pass, m.</summary>
     private static double Scatter(Scene scene)
     {
-        double squares = 0;
-        for (int seed = 1; seed <= Seeds; seed++)
+        double squares = Enumerable.Range(1, Seeds).Sum(seed =>
         {
             Scene knuckle = scene with { Forces = scene.Forces with { KnuckleSeed = seed } };
             double aside = At(knuckle, 20, new Vector3d(0, Radius, 0), Velocity(30, 8 * Degree), Vector3d.Zero).Position.Z;
-            squares += aside * aside;
-        }
-
+            return aside * aside;
+        });
         return Math.Sqrt(squares / Seeds);
     }
 
@@ -181,4 +158,16 @@ internal static class KicksLab
 
         return state;
     }
+}
+
+/// <summary>A published number of a kick.</summary>
+/// <param name="Name">The kick.</param>
+/// <param name="Number">The name of the number.</param>
+/// <param name="Reported">The published number; null if none is known.</param>
+/// <param name="Within">The tolerance.</param>
+/// <param name="Of">Computes the number in a scene.</param>
+/// <param name="WhyNot">The known reason for a deviation.</param>
+internal sealed record ReportedKick(string Name, string Number, double? Reported, double Within, Func<Scene, double> Of, string? WhyNot = null)
+{
+    public string? Verdict(double value) => Reported is { } reported ? Math.Abs(value - reported) <= Within ? "met" : "NOT MET" : null;
 }

@@ -1,9 +1,6 @@
-using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -24,34 +21,27 @@ internal static class PrecisionLab
         LocateJump = false,
     };
 
-    public static Command Create(Terminal terminal)
-    {
-        Option<bool> quick = LabOptions.Quick();
-        return LabOptions.CreateDrawn(
-            "precision",
-            "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
-            ["football lab precision --quick --plot precision.svg"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),
-            quick);
-    }
+    public static Lab Create() => new Lab(
+        "precision",
+        "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
+        ["football lab precision --quick --plot precision.svg"],
+        isDrawn: true).PlaysQuick(Run);
 
-    private static LabReport Run(long seed, bool quick, Progress progress)
+    private static void Run(LabRun run, bool quick)
     {
         double seconds = quick ? 0 : MeasuredFor;
-        var report = new LabReport { Name = "precision", Seed = seed };
         var charts = new List<Func<XElement>>();
         foreach ((string name, Shot[] shots, StopAt stop) in new[]
         {
-            ("kick to impact", ShotSets.Make(seed, 14, 35, 0, 60, count: quick ? 10 : 100), StopAt.Impact),
-            ("kick to rest", ShotSets.Make(seed, 13, 30, 0, 60, count: quick ? 5 : 50), StopAt.Rest),
+            ("kick to impact", ShotSets.Make(run.Seed, 14, 35, 0, 60, count: quick ? 10 : 100), StopAt.Impact),
+            ("kick to rest", ShotSets.Make(run.Seed, 13, 30, 0, 60, count: quick ? 5 : 50), StopAt.Rest),
         })
         {
-            progress.Report(() => $"{name}: reference");
-            PrecisionPoint[] reference = Reference(shots, stop, report, name);
+            run.Progress.Report(() => $"{name}: reference");
+            PrecisionPoint[] reference = Reference(run, shots, stop, name);
             foreach (Integrator method in quick ? [] : Enum.GetValues<Integrator>())
             {
-                progress.Report(() => $"{name}: warming up, {method}");
+                run.Progress.Report(() => $"{name}: warming up, {method}");
                 WarmUp(new SolverSettings { Integrator = method }, shots, stop);
                 WarmUp(ThesisWay with { Integrator = method }, shots, stop);
             }
@@ -61,7 +51,7 @@ internal static class PrecisionLab
             {
                 foreach (double step in Steps)
                 {
-                    progress.Report(points.Count, 48, () => $"{name}: {method}, {1e3 * step} ms");
+                    run.Progress.Report(points.Count, 48, () => $"{name}: {method}, {1e3 * step} ms");
                     points.Add(Measure(new SolverSettings { Integrator = method }, step, shots, stop, reference, thesis: false, seconds));
                 }
 
@@ -71,29 +61,28 @@ internal static class PrecisionLab
                 }
             }
 
-            report.Tables.Add(Table(name, shots.Length, points));
-            report.Tables.Add(Needed(name, points));
+            AddRows(run, name, shots.Length, points);
+            AddNeeded(run, name, points);
             if (stop == StopAt.Impact)
             {
-                report.Tables.Add(Wanted(name, shots, reference, seconds));
+                AddWanted(run, name, shots, reference, seconds);
             }
 
             charts.Add(() => Draw($"{name}: error against evaluations", "evaluations a second of motion", points, row => row.Evaluations));
             charts.Add(() => Draw($"{name}: error against time", "ns a second of motion", points, row => row.Nanoseconds));
         }
 
-        report.Picture = () => Figure.Tile("Work and precision", [.. charts.Select(make => make())]);
-        return report;
+        run.Picture = () => Figure.Tile("Work and precision", [.. charts.Select(make => make())]);
     }
 
     /// <summary>Computes the reference, RK4 with 0.1 ms, and its distance from 0.2 ms.</summary>
-    private static PrecisionPoint[] Reference(Shot[] shots, StopAt stop, LabReport report, string name)
+    private static PrecisionPoint[] Reference(LabRun run, Shot[] shots, StopAt stop, string name)
     {
         var simulator = new Simulator(Scene.Published);
         PrecisionPoint[] coarse = Play(simulator, shots, stop, ReferenceStep, out _);
         PrecisionPoint[] fine = Play(simulator, shots, stop, 0.5 * ReferenceStep, out _);
         var gaps = new Spread(coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)));
-        report.Notes.Add(FormattableString.Invariant(
+        run.Notes.Add(FormattableString.Invariant(
             $"Reference, {name}: RK4, 0.1 ms; 0.2 ms is within {gaps.Percentile(0.95):0.0e0} m of it (p95), at worst {gaps.Worst:0.0e0} m; good to 1e-10 m in {coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)).Count(gap => gap <= 1e-10)} of {shots.Length}."));
         return fine;
     }
@@ -139,8 +128,7 @@ internal static class PrecisionLab
         for (int i = 0; i < shots.Length; i++)
         {
             log.Events.Clear();
-            BallState state = simulator.Launch(Shot.Spot, shots[i].Velocity, shots[i].Spin);
-            simulator.Run(ref state, step, 120, stop, log);
+            BallState state = simulator.Fly(Shot.Spot, shots[i].Velocity, shots[i].Spin, step, 120, stop, log);
             points[i] = new PrecisionPoint(state.Position, state.Time);
         }
 
@@ -148,45 +136,35 @@ internal static class PrecisionLab
         return points;
     }
 
-    private static LabTable Table(string name, int shots, List<PrecisionRow> points)
+    private static void AddRows(LabRun run, string name, int shots, List<PrecisionRow> points)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             $"{name}, {shots} shots: error in m, work a second of motion",
             "method", "step, ms", "way", "mean", "p95", "worst", "evaluations", "ns");
         foreach (PrecisionRow row in points)
         {
             table.Add(row.Method, 1e3 * row.Step, row.Thesis ? "thesis" : "exact", row.Mean, row.P95, row.Worst, row.Evaluations, row.Nanoseconds);
         }
-
-        return table;
     }
 
-    /// <summary>Returns evaluations and time for a mean error, interpolated between the step sizes on the log–log line.</summary>
-    private static LabTable Needed(string name, List<PrecisionRow> points)
+    /// <summary>Adds evaluations and time for a mean error, interpolated between the step sizes on the log–log line.</summary>
+    private static void AddNeeded(LabRun run, string name, List<PrecisionRow> points)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             $"{name}: needed a second of motion for a mean error",
             "method", "1 mm: evaluations", "1 mm: ns", "0.1 mm: evaluations", "0.1 mm: ns", "1 µm: evaluations", "1 µm: ns");
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             PrecisionRow[] rows = [.. points.Where(row => row.Method == method && !row.Thesis).OrderByDescending(row => row.Step)];
-            var cells = new List<object?> { method };
-            foreach (double error in new[] { 1e-3, 1e-4, 1e-6 })
-            {
-                cells.Add(Between(rows, error, row => row.Evaluations));
-                cells.Add(Between(rows, error, row => row.Nanoseconds));
-            }
-
-            table.Add([.. cells]);
+            object?[] Cells(double error) => [Between(rows, error, row => row.Evaluations), Between(rows, error, row => row.Nanoseconds)];
+            table.Add([method, .. Cells(1e-3), .. Cells(1e-4), .. Cells(1e-6)]);
         }
-
-        return table;
     }
 
-    /// <summary>Returns the settings chosen for a requested accuracy, their cost and their accuracy.</summary>
-    private static LabTable Wanted(string name, Shot[] shots, PrecisionPoint[] reference, double seconds)
+    /// <summary>Adds the settings chosen for a requested accuracy, their cost and their accuracy.</summary>
+    private static void AddWanted(LabRun run, string name, Shot[] shots, PrecisionPoint[] reference, double seconds)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             $"{name}: picked for the accuracy wanted",
             "wanted", "method", "step, ms", "mean", "p95", "worst", "evaluations", "ns");
         foreach (Accuracy wanted in Enum.GetValues<Accuracy>())
@@ -195,8 +173,6 @@ internal static class PrecisionLab
             PrecisionRow row = Measure(settings, step, shots, StopAt.Impact, reference, thesis: false, seconds);
             table.Add(wanted, row.Method, 1e3 * row.Step, row.Mean, row.P95, row.Worst, row.Evaluations, row.Nanoseconds);
         }
-
-        return table;
     }
 
     private static double? Between(PrecisionRow[] rows, double error, Func<PrecisionRow, double> work)
@@ -233,3 +209,10 @@ internal static class PrecisionLab
         return chart.Draw();
     }
 }
+
+/// <summary>A method with a step: its errors, m, and its work per second of motion.</summary>
+internal sealed record PrecisionRow(
+    Integrator Method, double Step, bool Thesis, double Mean, double P95, double Worst, double Evaluations, double Nanoseconds);
+
+/// <summary>The position and time of the end of a shot.</summary>
+internal readonly record struct PrecisionPoint(Vector3d Place, double Time);

@@ -1,6 +1,3 @@
-using System.CommandLine;
-using FootballPhysics.Tool.Commands;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>football lab rigs: the results of FIFA's rigs for pitches on every surface of both profiles, next to the windows of the tests.</summary>
@@ -42,20 +39,17 @@ internal static class RigsLab
         Published("publishedSand", Ground.Presets["publishedSand"], null),
     ];
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Lab Create() => new Lab(
         "rigs",
         "FIFA's three pitch tests on every surface: drop from 2 m, shot of 50 km/h at 15°, roll from a ramp of 1 m, and the ranges that the tests accept.",
-        ["football lab rigs", "football lab rigs --csv rigs.csv"],
-        terminal,
-        (_, seed, _) => Run(seed));
+        ["football lab rigs", "football lab rigs --csv rigs.csv"]).Plays(Run);
 
     /// <summary>Returns the height of the bounce from 2 m, at the ball's lowest point, m.</summary>
     public static double Drop(Scene scene)
     {
         var simulator = new Simulator(scene);
         var log = new StepLog();
-        BallState state = simulator.Launch(new Vector3d(0, DropHeight + simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
-        simulator.Run(ref state, TimeStep, 5, StopAt.Impact, log);
+        BallState state = simulator.Fly(new Vector3d(0, DropHeight + simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero, TimeStep, 5, StopAt.Impact);
         double highest = simulator.ContactHeight;
         double before;
         do
@@ -72,11 +66,8 @@ internal static class RigsLab
     public static double AngledShot(Scene scene)
     {
         var simulator = new Simulator(scene);
-        var log = new StepLog();
         var velocity = new Vector3d(ShotSpeed * Math.Cos(ShotAngle), -ShotSpeed * Math.Sin(ShotAngle), 0);
-        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), velocity, Vector3d.Zero);
-        simulator.Run(ref state, TimeStep, 1, StopAt.Impact, log);
-        return 100 * log.Events[0].Velocity.X / velocity.X;
+        return 100 * simulator.FirstImpact(new Vector3d(0, simulator.ContactHeight, 0), velocity, Vector3d.Zero, TimeStep, 1).Velocity.X / velocity.X;
     }
 
     /// <summary>Returns the length of the roll from the ramp, m.</summary>
@@ -88,9 +79,8 @@ internal static class RigsLab
         double turning = ball.Radius / onRails;
         double speed = Math.Sqrt(2 * scene.Gravity * RampHeight / (1 + (ball.InertiaFactor * turning * turning)));
         var simulator = new Simulator(scene);
-        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / onRails));
-        simulator.Run(ref state, 5 * TimeStep, 120, StopAt.Rest, new StepLog());
-        return state.Position.X;
+        return simulator.Fly(
+            new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / onRails), 5 * TimeStep, 120, StopAt.Rest).Position.X;
     }
 
     private static (string Profile, string Surface, Scene Scene, RigWindow? Window) Measured(string name, Ground ground, RigWindow? window) =>
@@ -99,34 +89,38 @@ internal static class RigsLab
     private static (string Profile, string Surface, Scene Scene, RigWindow? Window) Published(string name, Ground ground, RigWindow? window) =>
         ("published", name, Scene.Published with { Ground = ground }, window);
 
-    private static LabReport Run(long seed)
+    private static void Run(LabRun run)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "FIFA's rigs", "profile", "surface", "drop, m", "drop window", "drop is", "angle, %", "angle window", "angle is", "roll, m", "roll window", "roll is", "test");
-        var report = new LabReport { Name = "rigs", Seed = seed, Tables = { table } };
         foreach ((string profile, string surface, Scene scene, RigWindow? window) in Surfaces)
         {
             double drop = Drop(scene);
             double angle = AngledShot(scene);
             double roll = Roll(scene);
             table.Add(
-                profile,
-                surface,
-                drop,
-                RigWindow.Text(window?.Drop),
-                RigWindow.Verdict(window?.Drop, drop),
-                angle,
-                RigWindow.Text(window?.Angle),
-                RigWindow.Verdict(window?.Angle, angle),
-                roll,
-                RigWindow.Text(window?.Roll),
-                RigWindow.Verdict(window?.Roll, roll),
-                window?.Name);
-            report.Failed |= profile == "measured" && window is not null && !window.Holds(drop, angle, roll);
+                [profile, surface, .. RigWindow.Cells(window?.Drop, drop), .. RigWindow.Cells(window?.Angle, angle), .. RigWindow.Cells(window?.Roll, roll), window?.Name]);
+            run.Failed |= profile == "measured" && window is not null && !window.Holds(drop, angle, roll);
         }
 
-        report.Notes.Add("The published profile is the thesis', whose numbers are not of rigs: what it fails is shown, and is no failure of the command.");
-        report.Notes.Add("Where there is no window nothing was found: those surfaces are guesses. The angle is what is left of the speed along the ground.");
-        return report;
+        run.Notes.Add("The published profile is the thesis', whose numbers are not of rigs: what it fails is shown, and is no failure of the command.");
+        run.Notes.Add("Where there is no window nothing was found: those surfaces are guesses. The angle is what is left of the speed along the ground.");
     }
+}
+
+/// <summary>The requirements of a test of pitches for the results of the rigs.</summary>
+/// <param name="Name">The test.</param>
+/// <param name="Drop">The least and greatest bounce, m.</param>
+/// <param name="Angle">The share of the speed along the ground that remains, %.</param>
+/// <param name="Roll">The length of the roll, m.</param>
+internal sealed record RigWindow(string Name, (double Least, double Most)? Drop, (double Least, double Most)? Angle, (double Least, double Most)? Roll)
+{
+    /// <summary>Returns a result, its window and its verdict.</summary>
+    public static object?[] Cells((double Least, double Most)? window, double value) => window is { } range
+        ? [value, FormattableString.Invariant($"{range.Least:0.##} … {range.Most:0.##}"), Inside(window, value) ? "pass" : "FAIL"]
+        : [value, null, null];
+
+    public bool Holds(double drop, double angle, double roll) => Inside(Drop, drop) && Inside(Angle, angle) && Inside(Roll, roll);
+
+    private static bool Inside((double Least, double Most)? window, double value) => window is not { } range || (value >= range.Least && value <= range.Most);
 }

@@ -2,7 +2,6 @@ using System.CommandLine;
 using FootballPhysics.Labs.Stability;
 using FootballPhysics.Labs.Stability.Things;
 using FootballPhysics.Scenarios;
-using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;
 
@@ -11,48 +10,44 @@ internal static class StabilityLab
 {
     private const long MostScenes = 1_000_000_000_000;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
         SceneSet ordinary = new StressSet(1, Profile.Measured);
         SceneSet strange = new HostileSet(1);
-        Option<long> scenes = Arguments.Whole("--scenes", $"Number of scenes; {strange.ByDefault} by default if hostile.", 1, MostScenes, ordinary.ByDefault);
-        var full = new Option<bool>("--full") { Description = $"Simulate {ordinary.Full} scenes, or {strange.Full} hostile ones." };
-        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor.");
-        var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Simulate one scene by its number and print it as a scenario." };
-        var hostile = new Option<bool>("--hostile") { Description = "Scenes far outside football, with a generator and checks of their own." };
-        var things = new Option<bool>("--things") { Description = "Scenes with obstacles, bodies, nets and slopes, with checks of their own." };
-        Option<Profile> profile = new("--profile") { HelpName = "measured|published", Description = "Profile of laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Measured };
-        return LabOptions.CreateDrawn(
+        var lab = new Lab(
             "stability",
             "Invariants (finite, bounded energy, no penetration) in random and adversarial scenes, with every integrator.",
             ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile published --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],
-            terminal,
-            (parsed, seed, progress) =>
+            isDrawn: true);
+        Option<long> scenes = lab.Whole("--scenes", $"Number of scenes; {strange.ByDefault} by default if hostile.", 1, MostScenes, ordinary.ByDefault);
+        Option<bool> full = lab.Flag("--full", $"Simulate {ordinary.Full} scenes, or {strange.Full} hostile ones.");
+        Option<long> jobs = lab.Jobs("Threads; default: one per processor.");
+        Option<long?> scene = lab.Add(new Option<long?>("--scene") { HelpName = "I", Description = "Simulate one scene by its number and print it as a scenario." });
+        Option<bool> hostile = lab.Flag("--hostile", "Scenes far outside football, with a generator and checks of their own.");
+        Option<bool> things = lab.Flag("--things", "Scenes with obstacles, bodies, nets and slopes, with checks of their own.");
+        Option<Profile> profile = lab.Add(new Option<Profile>("--profile")
+        {
+            HelpName = "measured|published",
+            Description = "Profile of laws and ground; hostile scenes have their own.",
+            DefaultValueFactory = _ => Profile.Measured,
+        });
+        return lab.Plays(run =>
+        {
+            SceneSet set = run.Get(things) ? new ThingsSet(run.Seed) : run.Get(hostile) ? new HostileSet(run.Seed) : new StressSet(run.Seed, run.Get(profile));
+            run.Name = set.Name;
+            if (run.Get(scene) is { } number)
             {
-                SceneSet set = parsed.GetValue(things) ? new ThingsSet(seed) : parsed.GetValue(hostile) ? new HostileSet(seed) : new StressSet(seed, parsed.GetValue(profile));
-                var report = new LabReport { Name = set.Name, Seed = seed };
-                if (parsed.GetValue(scene) is { } number)
-                {
-                    StressOutcome one = set.Play(number);
-                    set.Show(number, one, terminal, report);
-                    report.Failed = one.Failure is not null;
-                    return report;
-                }
+                StressOutcome one = set.Play(number);
+                set.Show(number, one, run);
+                run.Failed = one.Failure is not null;
+                return;
+            }
 
-                bool counted = parsed.GetResult(scenes) is { Implicit: false };
-                long count = parsed.GetValue(full) ? set.Full : counted ? parsed.GetValue(scenes) : set.ByDefault;
-                var results = new StressResults();
-                results.Play(set.Play, set.First, count, (int)parsed.GetValue(jobs), terminal, progress);
-                set.Show(results, count, report);
-                report.Failed = results.Findings.Kinds > 0;
-                return report;
-            },
-            scenes,
-            full,
-            jobs,
-            scene,
-            hostile,
-            things,
-            profile);
+            long count = run.Get(full) ? set.Full : run.Has(scenes) ? run.Get(scenes) : set.ByDefault;
+            var results = new StressResults();
+            results.Play(set, count, run.Int(jobs), run);
+            set.Show(results, count, run);
+            run.Failed = results.Findings.Kinds > 0;
+        });
     }
 }

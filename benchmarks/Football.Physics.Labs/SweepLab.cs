@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.Text;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Formats;
 using FootballPhysics.Tool.Sweep.Output;
 using FootballPhysics.Tool.Sweep;
@@ -21,36 +20,31 @@ internal static class SweepLab
     /// <summary>The number of balls of a batch: they fit the caches, as in a sweep.</summary>
     private const int Balls = 4096;
 
-    public static Command Create(Terminal terminal)
+    public static Lab Create()
     {
-        Option<long> count = Arguments.Whole("--count", "Rows per run.", 1, 1_000_000_000, 300_000);
-        Option<long> jobs = Arguments.Jobs("Maximum number of threads; default: one per processor.");
-        var folder = new Option<string?>("--folder") { HelpName = "DIR", Description = "Folder for the rows, which are deleted afterwards; default: the folder for temporary files." };
-        return LabOptions.Create(
+        var lab = new Lab(
             "sweep",
             "Rows per second that a sweep writes, compared with the flights per second of its batch.",
-            ["football lab sweep --count 2000 --jobs 1"],
-            terminal,
-            (parsed, seed, progress) => Run(parsed.GetValue(count), (int)parsed.GetValue(jobs), parsed.GetValue(folder) ?? Path.GetTempPath(), Math.Abs(seed), progress),
-            count,
-            jobs,
-            folder);
+            ["football lab sweep --count 2000 --jobs 1"]);
+        Option<long> count = lab.Whole("--count", "Rows per run.", 1, 1_000_000_000, 300_000);
+        Option<long> jobs = lab.Jobs("Maximum number of threads; default: one per processor.");
+        Option<string?> folder = lab.Add(new Option<string?>("--folder") { HelpName = "DIR", Description = "Folder for the rows, which are deleted afterwards; default: the folder for temporary files." });
+        return lab.Plays(run => Run(run, run.Get(count), run.Int(jobs), run.Get(folder) ?? Path.GetTempPath()));
     }
 
-    private static LabReport Run(long count, int jobs, string folder, long seed, Progress progress)
+    private static void Run(LabRun run, long count, int jobs, string folder)
     {
-        SweepPlan plan = SweepInput.Read(InputCase.Read(new InputLine(Encoding.UTF8.GetBytes("{}"), false), []).Scenario!, seed);
-        var table = new LabTable($"Rows a second of the default sweep, {count} rows, the best of {Runs} runs", "threads", "what", "rows/s", "of the batch", "of one thread", "processor time, µs a row", "batch's share of it", "bytes a row");
-        var report = new LabReport { Name = "sweep", Seed = seed, Tables = { table } };
+        SweepPlan plan = SweepInput.Read(InputCase.Read(new InputLine(Encoding.UTF8.GetBytes("{}"), false), []).Scenario!, Math.Abs(run.Seed));
+        LabTable table = run.Table($"Rows a second of the default sweep, {count} rows, the best of {Runs} runs", "threads", "what", "rows/s", "of the batch", "of one thread", "processor time, µs a row", "batch's share of it", "bytes a row");
         Dictionary<string, double> alone = [];
         foreach (int threads in (int[])[1, .. jobs > 1 ? [jobs] : (int[])[]])
         {
-            progress.Report(() => $"the batch, {threads} threads");
+            run.Progress.Report(() => $"the batch, {threads} threads");
             (double Rate, double Microseconds) batch = Best(() => Fly(plan, count, threads));
             Add("batch", batch, null);
             foreach (string format in RowFormat.Names.Reverse())
             {
-                progress.Report(() => $"{format}, {threads} threads");
+                run.Progress.Report(() => $"{format}, {threads} threads");
                 long bytes = 0;
                 Write(plan, format, threads, WarmUp, folder, ref bytes);
                 Add(format, Best(() => Write(plan, format, threads, count, folder, ref bytes)), bytes / (double)count);
@@ -63,8 +57,6 @@ internal static class SweepLab
                     threads, what, Math.Round(measured.Rate), measured.Rate / batch.Rate, measured.Rate / alone[what], measured.Microseconds, batch.Microseconds / measured.Microseconds, bytes);
             }
         }
-
-        return report;
     }
 
     /// <summary>Returns the greatest rate, and the least processor time, which other programs on the machine affect less.</summary>

@@ -1,7 +1,4 @@
-using System.CommandLine;
 using FootballPhysics.Drawing;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;
 
@@ -20,27 +17,25 @@ internal static class VacuumLab
         [Integrator.Rk4] = [0.014, 0.025, 0.044],
     };
 
-    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
+    public static Lab Create() => new Lab(
         "vacuum",
         "Landing points of 50 shots in vacuum, compared with the closed form (Table 3.1 of the original thesis).",
         ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+        isDrawn: true).Plays(Run);
 
-    private static LabReport Run(long seed, Progress progress)
+    private static void Run(LabRun run)
     {
-        var random = new SeededRandom(SeededRandom.Mix(seed, 31));
+        SeededRandom random = run.Random(31);
         (double X, double Y)[] kicks = [.. Enumerable.Range(0, Shots).Select(_ => (random.Uniform(5, 20), random.Uniform(5, 20)))];
-        var table = new LabTable(
+        LabTable table = run.Table(
             "Vacuum landing (3.4.1), 50 shots: mean error, mm",
             "method", "impact", "40 ms", "20 ms", "10 ms", "thesis 40", "thesis 20", "thesis 10", "worst", "of", "reach", "verdict");
-        var report = new LabReport { Name = "vacuum", Seed = seed, Tables = { table } };
         var lines = new List<(string Name, double[] Means)>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
             {
-                progress.Report(lines.Count, 8, () => $"{method}, {timing}");
+                run.Progress.Report(lines.Count, 8, () => $"{method}, {timing}");
                 bool euler = method is Integrator.Euler or Integrator.SemiImplicitEuler;
                 var means = new double[Steps.Length];
                 double worst = 0;
@@ -65,8 +60,8 @@ internal static class VacuumLab
             }
         }
 
-        report.Notes.Add("Bisection is the thesis' search, to 1 µs; it is judged by nothing but stands for comparison.");
-        report.Picture = () =>
+        run.Notes.Add("Bisection is the thesis' search, to 1 µs; it is judged by nothing but stands for comparison.");
+        run.Picture = () =>
         {
             var chart = new Chart(new Axis("step, ms") { Scale = AxisScale.Logarithmic }, new Axis("mean error, mm") { Scale = AxisScale.Logarithmic })
             {
@@ -80,14 +75,11 @@ internal static class VacuumLab
 
             return Figure.Stack("", [chart.Draw()]);
         };
-        return report;
     }
 
     private static double Error(Integrator method, CollisionTiming timing, double step, double x, double y)
     {
         var simulator = new Simulator(Scene.Vacuum, new SolverSettings { Integrator = method, CollisionTiming = timing });
-        BallState state = simulator.Launch(Shot.Spot, new Vector3d(x, y, 0), Vector3d.Zero);
-        simulator.Run(ref state, step, 20, StopAt.Impact, new StepLog());
-        return Math.Abs(state.Position.X - (2 * x * y / Gravity));
+        return Math.Abs(simulator.Fly(Shot.Spot, new Vector3d(x, y, 0), Vector3d.Zero, step, 20, StopAt.Impact).Position.X - (2 * x * y / Gravity));
     }
 }

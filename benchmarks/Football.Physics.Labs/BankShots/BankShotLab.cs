@@ -1,7 +1,4 @@
-using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.BankShots;
 
@@ -21,22 +18,14 @@ internal static class BankShotLab
         Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame }],
     };
 
-    public static Command Create(Terminal terminal)
-    {
-        Option<long> requests = Arguments.Whole("--requests", "Requests of each kind.", 1, 100_000, 2);
-        return LabOptions.Create(
-            "bankshots",
-            "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
-            ["football lab bankshots --requests 1 --seed 7"],
-            terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(requests), progress),
-            requests);
-    }
+    public static Lab Create() => new Lab(
+        "bankshots",
+        "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
+        ["football lab bankshots --requests 1 --seed 7"]).Plays(Lab.Number("--requests", "Requests of each kind.", 1, 100_000, 2), Run);
 
-    private static LabReport Run(long seed, int requests, Progress progress)
+    private static void Run(LabRun run, int requests)
     {
-        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median µs", "95 % µs", "worst µs", "verdict");
-        var report = new LabReport { Name = "bankshots", Seed = seed, Tables = { table } };
+        LabTable table = run.Table("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median µs", "95 % µs", "worst µs", "verdict");
         var aimer = new BankShotAimer(Scene);
         var simulator = new Simulator(Scene);
         int all = 0;
@@ -44,13 +33,13 @@ internal static class BankShotLab
         foreach ((string name, double least, double most, string[] after) in Kinds)
         {
             var set = new BankShotSet(simulator, after) { Azimuth = (least, most), Elevation = (2, 35), Speed = (14, 26) };
-            var random = new SeededRandom(SeededRandom.Mix(seed, name.Length));
+            SeededRandom random = run.Random(name.Length);
             int hits = 0;
             double[] simulations = new double[requests];
             double[] times = new double[requests];
             for (int i = 0; i < requests; i++)
             {
-                progress.Report(i, requests, () => name);
+                run.Progress.Report(i, requests, () => name);
                 AimRequest request = set.Draw(random) with { MaximumElevationDegrees = 45 };
                 long start = Stopwatch.GetTimestamp();
                 AimResult found = aimer.Find(request, after);
@@ -67,7 +56,6 @@ internal static class BankShotLab
                 name, requests, hits, 100.0 * hits / requests, counts.Mean, counts.Median, counts.P95, counts.Worst, spans.Mean, spans.Median, spans.P95, spans.Worst, Verdict.Of(hits >= 0.98 * requests));
         }
 
-        report.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));
-        return report;
+        run.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));
     }
 }

@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -54,5 +53,114 @@ internal static class FuzzBytes
         }
 
         return bytes;
+    }
+}
+
+/// <summary>Numbers that often expose errors in programs.</summary>
+internal static class FuzzNumbers
+{
+    private static readonly double[] s_edges =
+    [
+        0, double.Epsilon, 1e-310, 1e-300, 1e-200, 1e-153, 1e-100, 1e-16, 1e-12, 1e-9, 1e-6, 1e-4, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 3, 9.81, 10, 12.19,
+        100, 1000, 1e4, 1e6, 1e9, 1e12, 1e15, 1e17, 1e30, 1e35, 1e45, 1e60, 1e75, 1e100, 1e153, 1e200, 1e300, double.MaxValue,
+    ];
+
+    /// <summary>Returns one of the numbers, a neighbour of one, or any number.</summary>
+    public static double Any(SeededRandom random)
+    {
+        double number = random.Below(8) switch
+        {
+            0 => random.Log(1e-12, 1e12),
+            1 => random.Uniform(-3, 3),
+            2 => Math.BitDecrement(random.Any<double>(s_edges)),
+            3 => Math.BitIncrement(random.Any<double>(s_edges)),
+            _ => random.Any<double>(s_edges),
+        };
+        number = Math.Min(number, double.MaxValue);
+        return random.Chance(0.3) ? -number : number;
+    }
+
+    /// <summary>Returns such a number, or a number with random bits.</summary>
+    public static double AnyBits(SeededRandom random) => random.Chance(0.2)
+        ? random.Any(double.NaN, double.PositiveInfinity, double.NegativeInfinity, BitConverter.UInt64BitsToDouble(SeededRandom.Mix(random.Below(int.MaxValue), 3)))
+        : Any(random);
+}
+
+/// <summary>Kick logs: bytes that were changed, and logs written with extreme numbers.</summary>
+internal sealed class KickLogFuzz : FuzzTarget
+{
+    public override string Name => "kick logs";
+
+    /// <summary>Makes a log of a few kicks, as a game would.</summary>
+    public static KickLog Log(SeededRandom random, int ticks)
+    {
+        var log = new KickLog();
+        for (int i = random.Below(6); i > 0; i--)
+        {
+            Vector3d velocity = random.Velocity(0, 30, 0, 60);
+            bool single = random.Chance(0.5);
+            log.Add(new KickInput(random.Below(ticks), single ? velocity.ToVector3() : velocity, random.Chance(0.3) ? Vector3d.Zero : 50 * random.Direction(), random.Below(3)));
+        }
+
+        return log;
+    }
+
+    /// <summary>Writes kicks in the file format, some of their numbers extreme.</summary>
+    public static void Write(SeededRandom random, ref ByteWriter writer, KickLog log, double wild)
+    {
+        bool Wild() => random.Chance(wild);
+        writer.Integer(Wild() ? Integer(random) : (ulong)log.Count);
+        long last = 0;
+        for (int i = 0; i < log.Count; i++)
+        {
+            ref readonly KickInput kick = ref log[i];
+            writer.Integer(Wild() ? Integer(random) : (ulong)(kick.Tick - last));
+            writer.Integer(Wild() ? Integer(random) : (ulong)kick.Player);
+            last = kick.Tick;
+            writer.Bits(Wild() ? (ulong)random.Below(1 << 16) : 0xAAA, 2);
+            foreach (double number in (double[])[kick.Velocity.X, kick.Velocity.Y, kick.Velocity.Z, kick.Spin.X, kick.Spin.Y, kick.Spin.Z])
+            {
+                writer.Bits(BitConverter.DoubleToUInt64Bits(Wild() ? FuzzNumbers.AnyBits(random) : number), 8);
+            }
+        }
+    }
+
+    /// <summary>Returns an integer at the end of some range.</summary>
+    public static ulong Integer(SeededRandom random) =>
+        random.Any<ulong>(0, 1, 2, 127, 128, int.MaxValue, uint.MaxValue, long.MaxValue, 1UL << 53, 1UL << 62, ulong.MaxValue, (ulong)random.Below(1000));
+
+    public override byte[] Make(SeededRandom random, int mutations)
+    {
+        KickLog log = Log(random, 1000);
+        if (random.Chance(0.5))
+        {
+            var writer = new ByteWriter();
+            Write(random, ref writer, log, mutations / 30.0);
+            return writer.ToArray();
+        }
+
+        byte[] changed = FuzzBytes.Changed(random, log.ToBytes(), mutations);
+        return random.Chance(0.7) ? FuzzBytes.Sealed(changed) : changed;
+    }
+
+    public override bool Try(byte[] input)
+    {
+        if (!IsAccepted<KickLog>(() => KickLog.FromBytes(input), out KickLog? log))
+        {
+            return true;
+        }
+
+        Must(Crc32.Holds(input), "changed bytes are accepted");
+        for (int i = 0; i < log.Count; i++)
+        {
+            ref readonly KickInput kick = ref log[i];
+            Must(kick is { Tick: >= 0, Player: >= 0 } && kick.Velocity.Length <= Limits.Speed && kick.Spin.Length <= Limits.Spin, "a kick is beyond its limits");
+            Must(i == 0 || log[i - 1].Order(kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
+            Must(log.FirstAt(kick.Tick) <= i, "a kick is not found");
+        }
+
+        byte[] again = log.ToBytes();
+        Must(again.AsSpan().SequenceEqual(KickLog.FromBytes(again).ToBytes()), "a log does not come back");
+        return false;
     }
 }

@@ -2,7 +2,6 @@ using System.Text;
 using System.Text.Json.Nodes;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -88,21 +87,20 @@ internal sealed class ScenarioFuzz : FuzzTarget
 
     private static void Mutate(SeededRandom random, JsonNode root)
     {
-        List<JsonNode> leaves = [];
-        Collect(root, leaves);
-        if (leaves.Count == 0)
+        JsonNode[] leaves = [.. Leaves(root)];
+        if (leaves.Length == 0)
         {
             return;
         }
 
-        JsonNode leaf = leaves[random.Below(leaves.Count)];
+        JsonNode leaf = leaves[random.Below(leaves.Length)];
         switch (random.Below(20))
         {
             case 0:
-                Replace(leaf, JsonValue.Create(random.Any<string>(s_words)));
+                leaf.ReplaceWith(JsonValue.Create(random.Any<string>(s_words)));
                 break;
             case 1:
-                Replace(leaf, random.Any<JsonNode?>(null, new JsonObject(), new JsonArray(), new JsonArray(1, 2), JsonValue.Create(true), JsonNode.Parse("1e999")));
+                leaf.ReplaceWith(random.Any<JsonNode?>(null, new JsonObject(), new JsonArray(), new JsonArray(1, 2), JsonValue.Create(true), JsonNode.Parse("1e999")));
                 break;
             case 2 when leaf.Parent is JsonObject parent:
                 parent.Remove(leaf.GetPropertyName());
@@ -116,39 +114,16 @@ internal sealed class ScenarioFuzz : FuzzTarget
             default:
                 // Mostly change values that reach the library: a number becomes another number, a word another word.
                 bool word = leaf.GetValueKind() == System.Text.Json.JsonValueKind.String;
-                Replace(leaf, word ? JsonValue.Create(random.Any<string>(s_words)) : JsonValue.Create(FuzzNumbers.Any(random)));
+                leaf.ReplaceWith(word ? JsonValue.Create(random.Any<string>(s_words)) : JsonValue.Create(FuzzNumbers.Any(random)));
                 break;
         }
     }
 
-    private static void Collect(JsonNode? at, List<JsonNode> leaves)
+    private static IEnumerable<JsonNode> Leaves(JsonNode? at) => at switch
     {
-        IEnumerable<JsonNode?> below = at switch
-        {
-            JsonObject members => members.Select(member => member.Value),
-            JsonArray elements => elements,
-            _ => [],
-        };
-        foreach (JsonNode? item in below)
-        {
-            if (item is JsonValue)
-            {
-                leaves.Add(item);
-            }
-
-            Collect(item, leaves);
-        }
-    }
-
-    private static void Replace(JsonNode leaf, JsonNode? by)
-    {
-        if (leaf.Parent is JsonArray array)
-        {
-            array[leaf.GetElementIndex()] = by;
-        }
-        else if (leaf.Parent is JsonObject members)
-        {
-            members[leaf.GetPropertyName()] = by;
-        }
-    }
+        JsonObject members => members.SelectMany(member => Leaves(member.Value)),
+        JsonArray elements => elements.SelectMany(Leaves),
+        JsonValue leaf => [leaf],
+        _ => [],
+    };
 }

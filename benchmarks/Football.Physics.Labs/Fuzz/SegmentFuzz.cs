@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -48,12 +47,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
 
     public override bool Try(byte[] input)
     {
-        Recording segment;
-        try
-        {
-            segment = Recording.FromBytes(input);
-        }
-        catch (FormatException)
+        if (!IsAccepted<Recording>(() => Recording.FromBytes(input), out Recording? segment))
         {
             return true;
         }

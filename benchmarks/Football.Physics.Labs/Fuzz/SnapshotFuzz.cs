@@ -1,5 +1,4 @@
 using FootballPhysics.Game;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;
 
@@ -45,18 +44,14 @@ internal sealed class SnapshotFuzz : FuzzTarget
         for (int i = 0; i < mutations; i++)
         {
             int at = sizeof(ulong) * random.Below(StateFields.Count);
-            switch (random.Below(4))
+            int change = random.Below(4);
+            if (change == 0)
             {
-                case 0:
-                    bytes[at + random.Below(8)] ^= (byte)(1 << random.Below(8));
-                    break;
-                case 1:
-                    BitConverter.TryWriteBytes(bytes.AsSpan(at), (ulong)random.Below(6));
-                    break;
-                default:
-                    BitConverter.TryWriteBytes(bytes.AsSpan(at), FuzzNumbers.AnyBits(random));
-                    break;
+                bytes[at + random.Below(8)] ^= (byte)(1 << random.Below(8));
+                continue;
             }
+
+            BitConverter.TryWriteBytes(bytes.AsSpan(at), change == 1 ? (ulong)random.Below(6) : BitConverter.DoubleToUInt64Bits(FuzzNumbers.AnyBits(random)));
         }
 
         return bytes;
@@ -75,12 +70,7 @@ internal sealed class SnapshotFuzz : FuzzTarget
 
     public override bool Try(byte[] input)
     {
-        BallState state;
-        try
-        {
-            state = Snapshot.Read(input);
-        }
-        catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
+        if (!IsAccepted(() => Snapshot.Read(input), out BallState state, "source"))
         {
             return true;
         }

@@ -7,7 +7,6 @@ namespace FootballPhysics.Labs.Goals;
 internal sealed class GoalWatch(Goal goal, double radius)
 {
     private const double Interval = 0.0005;
-    private const int Halvings = 40;
 
     /// <summary>Distances to post or bar below this, m, are undecided: the path agrees with the steps only to this accuracy.</summary>
     private const double Edge = 1e-6;
@@ -102,7 +101,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
         double line = Line;
         if (last > 0 && now <= 0)
         {
-            (_, double aside, double height) = Seen(piece.PositionAt(Passes(in piece, from, to, 0)));
+            (_, double aside, double height) = Seen(piece.PositionAt(Passes(piece, from, to, 0)));
             Pass(aside, height);
         }
         else if (now > 0)
@@ -112,7 +111,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
 
         if (_isThrough && now <= line)
         {
-            Time = last > line ? Passes(in piece, from, to, line) : from;
+            Time = last > line ? Passes(piece, from, to, line) : from;
         }
 
         // The ball turned back at the line: whether it was over the line for an instant is within rounding.
@@ -128,21 +127,5 @@ internal sealed class GoalWatch(Goal goal, double radius)
     }
 
     /// <summary>Returns the time at which a path passes a plane from front to back.</summary>
-    private double Passes(in PathSegment piece, double from, double to, double plane)
-    {
-        for (int i = 0; i < Halvings; i++)
-        {
-            double middle = 0.5 * (from + to);
-            if (Seen(piece.PositionAt(middle)).Before > plane)
-            {
-                from = middle;
-            }
-            else
-            {
-                to = middle;
-            }
-        }
-
-        return to;
-    }
+    private double Passes(PathSegment piece, double from, double to, double plane) => LabMath.Bisect(from, to, time => !(Seen(piece.PositionAt(time)).Before > plane));
 }

@@ -1,6 +1,3 @@
-using FootballPhysics.Tool.Commands;
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Compares matches whose kicks arrive late, at frames of several lengths, with the same matches and all kicks in time.</summary>
@@ -25,39 +22,30 @@ internal static class RollbackCounts
     private const int HallWireTicks = 6;
 
     /// <summary>Simulates the matches.</summary>
-    /// <param name="seed">The seed.</param>
+    /// <param name="run">The run that receives the table.</param>
     /// <param name="count">The number of matches with bodies; the other kinds have a quarter each.</param>
-    /// <param name="progress">Receives the progress.</param>
     /// <param name="inHalls">True to add as many matches in a cage with nets, wind and kicks at the goals, rounded to the wire form.</param>
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress, bool inHalls = false)
+    public static void Play(LabRun run, int count, bool inHalls = false)
     {
-        var table = new LabTable("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
-        bool holds = true;
+        LabTable table = run.Table("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
         Kind[] kinds = [Kind.CallbackBodies, Kind.KeptBodies, Kind.CallbackEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
         for (int k = 0; k < kinds.Length; k++)
         {
-            int apart = 0;
-            int runs = 0;
-            int kicks = 0;
-            int late = 0;
+            var counts = new LabCounts();
 
             // All matches for bodies and halls, a quarter of them for the other kinds.
             int matches = kinds[k] is Kind.CallbackBodies or Kind.Hall ? count : Math.Max(1, count / 4);
             for (int i = 0; i < matches; i++)
             {
-                int at = i;
                 int kind = k;
-                progress.Report((k * count) + i, kinds.Length * count, () => FormattableString.Invariant($"{Name(kinds[kind])}, match {at}"));
-                Play(kinds[k], new SeededRandom(SeededRandom.Mix(seed, (k * 1_000_003L) + i)), ref runs, ref kicks, ref late, ref apart);
+                run.Progress.Report((k * count) + i, kinds.Length * count, () => Name(kinds[kind]));
+                Play(kinds[k], run.Random((k * 1_000_003L) + i), counts);
             }
 
-            holds &= apart == 0;
-            table.Add(Name(kinds[k]), matches, runs, kicks, late, apart, Verdict.Of(apart == 0));
+            table.Judge(counts["balls apart"] == 0, [Name(kinds[k]), matches, .. counts.Cells("runs", "kicks", "late", "balls apart")]);
         }
 
-        bool refused = RefusesUnknown(engine: false) & RefusesUnknown(engine: true);
-        table.Add("nobody says where: refused by name", 2, 2, null, null, null, Verdict.Of(refused));
-        return (table, holds && refused);
+        table.Judge(RefusesUnknown(engine: false) & RefusesUnknown(engine: true), "nobody says where: refused by name", 2, 2, null, null, null);
     }
 
     private static string Name(Kind kind) => kind switch
@@ -69,12 +57,12 @@ internal static class RollbackCounts
         _ => "bodies in a cage with nets and wind, by MoveBodies, wire form",
     };
 
-    private static void Play(Kind kind, SeededRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
+    private static void Play(Kind kind, SeededRandom random, LabCounts counts)
     {
         var squad = new Squad(random);
         KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1, kind == Kind.Hall ? 25 : 9);
         int[] delays = [.. all.Select(_ => 1 + random.Below(MostLate))];
-        kicks += all.Length;
+        counts.Add("kicks", all.Length);
 
         // Reference: kicks in time, one tick at a time.
         FixedStepRunner inTime = Runner(kind, squad);
@@ -91,31 +79,20 @@ internal static class RollbackCounts
             Step(kind, squad, inTime);
         }
 
-        foreach (double frame in Frames)
+        // If the rollback stores the bodies, the game moves them itself once per tick, so there is only one frame rate.
+        foreach (double frame in kind == Kind.KeptBodies ? Frames[..1] : Frames)
         {
-            // If the rollback stores the bodies, the game moves them itself once per tick, so there is only one frame rate.
-            if (kind == Kind.KeptBodies && frame != Frames[0])
-            {
-                continue;
-            }
-
             FixedStepRunner runner = Runner(kind, squad);
             var rollback = new Rollback(runner, MostLate + 20);
             int next = 0;
             while (runner.Tick < Ticks)
             {
-                for (int i = next; i < all.Length && all[i].Tick <= runner.Tick + 20; i++)
+                for (; next < all.Length && all[next].Tick + delays[next] <= runner.Tick; next++)
                 {
-                    if (all[i].Tick + delays[i] > runner.Tick)
-                    {
-                        break;
-                    }
-
-                    late += rollback.ApplyKick(in all[i]) is not null ? 1 : 0;
-                    next = i + 1;
+                    counts.AddIf(rollback.ApplyKick(in all[next]) is not null, "late");
                 }
 
-                if (frame == Frames[0] || kind == Kind.KeptBodies)
+                if (frame == Frames[0])
                 {
                     Step(kind, squad, runner);
                 }
@@ -127,14 +104,14 @@ internal static class RollbackCounts
 
             for (; next < all.Length; next++)
             {
-                late += rollback.ApplyKick(in all[next]) is not null ? 1 : 0;
+                counts.AddIf(rollback.ApplyKick(in all[next]) is not null, "late");
             }
 
-            runs++;
+            counts.Add("runs");
             for (int ball = 0; ball < runner.Balls; ball++)
             {
                 BallState one = runner.StateOf(ball);
-                apart += Snapshot.Same(in one, in states[runner.Tick][ball]) ? 0 : 1;
+                counts.AddIf(!Snapshot.Same(in one, in states[runner.Tick][ball]), "balls apart");
             }
         }
     }
@@ -156,12 +133,7 @@ internal static class RollbackCounts
         var simulator = new Simulator(scene);
         FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
         runner.QuantizationInterval = kind == Kind.Hall ? HallWireTicks : 0;
-        if (kind != Kind.KeptBodies)
-        {
-            Action<double> move = squad.Mover();
-            runner.MoveBodies = move;
-        }
-
+        runner.MoveBodies = kind == Kind.KeptBodies ? null : squad.Mover();
         return runner;
     }
 
@@ -198,6 +170,99 @@ internal static class RollbackCounts
         catch (InvalidOperationException refusal)
         {
             return refusal.Message.StartsWith(engine ? "Engine colliders" : "Bodies", StringComparison.Ordinal);
+        }
+    }
+}
+
+/// <summary>Twenty-two players who run in curves, as bodies or as the colliders of an engine.</summary>
+internal sealed class Squad
+{
+    private const int Players = 22;
+    private readonly (Vector3d Middle, double Radius, double Rate, double Phase)[] _curves;
+    private KinematicBodies? _bodies;
+    private Engine? _engine;
+
+    public Squad(SeededRandom random) => _curves = [.. Enumerable.Range(0, Players).Select(_ =>
+    {
+        var middle = new Vector3d(random.Uniform(-7, 7), 0, random.Uniform(-7, 7));
+        double radius = random.Uniform(0.3, 3);
+        return (middle, radius, random.Uniform(0.3, 7) / radius * (random.Chance(0.5) ? 1 : -1), random.Uniform(0, 6.28));
+    })];
+
+    /// <summary>Creates bodies for a scene: half of them with a mass.</summary>
+    public KinematicBodies NewBodies()
+    {
+        _bodies = new KinematicBodies();
+        for (int i = 0; i < Players; i++)
+        {
+            _bodies.Add("player", i % 2 == 0 ? BodyKind.Player : BodyKind.Player with { Mass = double.PositiveInfinity });
+        }
+
+        MoveTo(0);
+        return _bodies;
+    }
+
+    /// <summary>Creates colliders for a scene.</summary>
+    public IEngineColliders NewEngine()
+    {
+        _engine = new Engine(this);
+        return _engine;
+    }
+
+    /// <summary>Moves the bodies or colliders that were created last to a time.</summary>
+    public void MoveTo(double time) => Mover()(time);
+
+    /// <summary>Returns a function that moves the bodies or colliders that were created last.</summary>
+    public Action<double> Mover()
+    {
+        KinematicBodies? bodies = _bodies;
+        Engine? engine = _engine;
+        return time =>
+        {
+            for (int i = 0; i < Players && bodies is not null; i++)
+            {
+                (Vector3d place, Vector3d velocity) = At(i, time);
+                bodies[i].MoveTo(place, velocity, time);
+            }
+
+            if (engine is not null)
+            {
+                engine.Time = time;
+            }
+        };
+    }
+
+    private (Vector3d Place, Vector3d Velocity) At(int player, double time)
+    {
+        (Vector3d middle, double radius, double rate, double phase) = _curves[player];
+        double angle = phase + (rate * time);
+        var out_ = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+        return (middle + (radius * out_), radius * rate * new Vector3d(-out_.Z, 0, out_.X));
+    }
+
+    /// <summary>An engine with a capsule per player, which reports those near a path.</summary>
+    private sealed class Engine(Squad squad) : IEngineColliders
+    {
+        private readonly EngineCollider[] _colliders =
+            [.. Enumerable.Range(0, Players).Select(i => new EngineCollider("player", BodyKind.Player.Shape, SurfaceMaterial.Boot) { Mass = i % 2 == 0 ? 75 : double.PositiveInfinity })];
+
+        public double Time { get; set; }
+
+        public double MaximumSpeed => 8;
+
+        public void Cast(in SphereCast cast, EngineHits hits)
+        {
+            for (int i = 0; i < Players; i++)
+            {
+                (Vector3d place, Vector3d velocity) = squad.At(i, Time);
+                Vector3d way = cast.Distance * cast.Direction;
+                double share = way.LengthSquared > 0 ? Math.Clamp(Vector3d.Dot(place - cast.From, way) / way.LengthSquared, 0, 1) : 0;
+                if ((place - (cast.From + (share * way))).Horizontal.Length < cast.Radius + 2.0)
+                {
+                    _colliders[i].MoveTo(place, Quaterniond.Identity, velocity, Vector3d.Zero);
+                    hits.Add(_colliders[i]);
+                }
+            }
         }
     }
 }

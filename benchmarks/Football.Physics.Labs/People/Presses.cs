@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>The kinds of objects that a ball is pressed against.</summary>
@@ -22,9 +20,8 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
     private static readonly Vector3d s_foot = new(0, 0, -5);
     private static readonly Vector3d s_tip = new(0, 2.5, -5);
 
-    public PeopleClaim Inside { get; } = new($"pressed: {kind}: a frame ends inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Behind { get; } = new($"pressed: {kind}: ends behind a board");
+    public readonly PeopleClaim Inside = new($"pressed: {kind}: a frame ends inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Behind = new($"pressed: {kind}: ends behind a board");
 
     public override PeopleClaim[] Claims => [Inside, Behind];
 
@@ -36,7 +33,8 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
         var player = new WalkingPlayer(bodies, "player");
         bool walksOn = random.Chance(0.5);
         double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
-        var ball = new Ball(Scene(kind, bodies));
+        var standing = new StandingSolids();
+        var ball = new Ball(Scene(standing, bodies));
         Vector3d from = kind switch
         {
             PressKind.Board => new Vector3d(0, Radius, -5 + Radius + 0.0001 + random.Uniform(0, 0.3)),
@@ -64,7 +62,7 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
                 Stop(player);
             }
 
-            double deep = Depth(ball.State.Position);
+            double deep = Radius - standing.Distance(ball.State.Position);
             deepest = Math.Max(deepest, deep);
             Inside.See(deep, $"{kind}, press {index}, frame {i}");
         }
@@ -73,28 +71,6 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
         Cases++;
         Inside.Case(deepest > Entered);
         Behind.Case(end.Y < 1.2 && ((kind is PressKind.Board or PressKind.Corner && end.Z < s_end.Z - Thick) || (kind == PressKind.Corner && end.X < s_side.X - Thick)));
-    }
-
-    /// <summary>Returns the depth of the ball in the standing objects, m.</summary>
-    private double Depth(Vector3d place)
-    {
-        double gap = place.Y;
-        if (kind is PressKind.Board or PressKind.Corner)
-        {
-            gap = Math.Min(gap, Solid.Box(place, s_end, s_half));
-        }
-
-        if (kind == PressKind.Corner)
-        {
-            gap = Math.Min(gap, Solid.Box(place, s_side, new Vector3d(Thick, 0.5, 2000)));
-        }
-
-        if (kind == PressKind.Post)
-        {
-            gap = Math.Min(gap, Solid.Capsule(place, s_foot, s_tip, 0.06));
-        }
-
-        return Radius - gap;
     }
 
     /// <summary>Stops the player when he touches the object that the ball is pressed against.</summary>
@@ -125,17 +101,16 @@ internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
         player.Velocity = velocity;
     }
 
-    private static Scene Scene(PressKind kind, KinematicBodies bodies)
+    /// <summary>Returns the scene, and adds its objects to the standing ones.</summary>
+    private Scene Scene(StandingSolids standing, KinematicBodies bodies)
     {
-        Obstacle end = new() { Name = "end", Shape = new BoxShape(s_end, s_half), Surface = SurfaceMaterial.Board };
-        Obstacle side = new() { Name = "side", Shape = new BoxShape(s_side, new Vector3d(Thick, 0.5, 2000)), Surface = SurfaceMaterial.Board };
-        Obstacle post = new() { Name = "post", Shape = new CapsuleShape(s_foot, s_tip, 0.06) };
         Scene scene = new() { Bodies = bodies };
+        Obstacle End() => standing.Box("end", s_end, s_half, SurfaceMaterial.Board);
         return kind switch
         {
-            PressKind.Board => scene with { Obstacles = [end] },
-            PressKind.Corner => scene with { Obstacles = [end, side] },
-            PressKind.Post => scene with { Obstacles = [post] },
+            PressKind.Board => scene with { Obstacles = [End()] },
+            PressKind.Corner => scene with { Obstacles = [End(), standing.Box("side", s_side, new Vector3d(Thick, 0.5, 2000), SurfaceMaterial.Board)] },
+            PressKind.Post => scene with { Obstacles = [standing.Rod("post", s_foot, s_tip, 0.06)] },
             _ => scene with { Goals = [new Goal { Center = s_foot, Facing = new Vector3d(0, 0, 1) }] },
         };
     }

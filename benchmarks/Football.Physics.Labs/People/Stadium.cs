@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>
@@ -40,9 +38,7 @@ internal sealed class Stadium
         foreach ((int x, int z) in new[] { (-1, -1), (-1, 1), (1, -1), (1, 1) })
         {
             var foot = new Vector3d(x * HalfWidth, 0, z * HalfLength);
-            var tip = new Vector3d(foot.X, 1.5, foot.Z);
-            flags.Add(new Obstacle { Name = "flag", Shape = new CapsuleShape(foot, tip, 0.025) });
-            _standing.AddRod(foot, tip, 0.025);
+            flags.Add(_standing.Rod("flag", foot, new Vector3d(foot.X, 1.5, foot.Z), 0.025));
         }
 
         foreach (int end in new[] { -1, 1 })
@@ -198,16 +194,7 @@ internal sealed class Stadium
         Spheres.Time = time;
     }
 
-    private int Nearest(int first, Vector3d ball)
-    {
-        int nearest = first + 1;
-        for (int i = first + 1; i < first + 11; i++)
-        {
-            nearest = (_players[i].Place - ball).Horizontal.Length < (_players[nearest].Place - ball).Horizontal.Length ? i : nearest;
-        }
-
-        return nearest;
-    }
+    private int Nearest(int first, Vector3d ball) => Enumerable.Range(first + 1, 10).MinBy(i => (_players[i].Place - ball).Horizontal.Length);
 
     /// <summary>Moves a player towards his target, at most at 7 m/s² and 8 m/s.</summary>
     private void Run(int index, bool isNearest, Vector3d ball, double duration)
@@ -225,10 +212,8 @@ internal sealed class Stadium
         Vector3d way = (goal - place).Horizontal;
         double far = way.Length;
         Vector3d wanted = stands || far < 1e-9 ? Vector3d.Zero : Math.Min(IsDead ? 4 : 8, 2.5 * far) / far * way;
-        Vector3d change = wanted - player.Velocity;
-        double most = 7 * duration;
-        Vector3d velocity = player.Velocity + (change.Length > most ? most / change.Length * change : change);
-        player.Velocity = velocity.Length < 1e-3 ? Vector3d.Zero : velocity;
+        player.Accelerate(wanted, 7 * duration);
+        player.Velocity = player.Velocity.Length < 1e-3 ? Vector3d.Zero : player.Velocity;
     }
 
     /// <summary>Draws a pass, a cross, a drive, a lob, a shot or a touch.</summary>

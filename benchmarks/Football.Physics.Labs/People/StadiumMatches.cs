@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Simulates matches and checks after every step the invariants of any match: each millisecond of the path, energy, look-ahead, rewind, rest.</summary>
@@ -24,27 +22,20 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
     private readonly StepLog _log = new();
     private readonly byte[] _bytes = new byte[Snapshot.Size];
 
-    public PeopleClaim Kicks { get; } = new("matches: kicks", ClaimParts.Count);
-
-    public PeopleClaim Goals { get; } = new("matches: goals", ClaimParts.Count);
-
-    public PeopleClaim Squeezes { get; } = new("matches: squeezes", ClaimParts.Count);
+    public readonly PeopleClaim Kicks = new("matches: kicks", ClaimParts.Count);
+    public readonly PeopleClaim Goals = new("matches: goals", ClaimParts.Count);
+    public readonly PeopleClaim Squeezes = new("matches: squeezes", ClaimParts.Count);
 
     /// <summary>The positions on the path.</summary>
-    public PeopleClaim Inside { get; } = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Left { get; } = new("matches: the ball left the stadium");
+    public readonly PeopleClaim Inside = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Left = new("matches: the ball left the stadium");
 
     /// <summary>The steps without a body near the ball.</summary>
-    public PeopleClaim Made { get; } = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
-
-    public PeopleClaim Elsewhere { get; } = new("matches: look-ahead of a step goes elsewhere");
-
-    public PeopleClaim RewoundElsewhere { get; } = new("matches: played again goes elsewhere");
-
-    public PeopleClaim Hung { get; } = new("matches: dead ball hangs still in a net", ClaimParts.Count);
-
-    public PeopleClaim Restless { get; } = new("matches: dead ball not at rest in 19 s");
+    public readonly PeopleClaim Made = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Elsewhere = new("matches: look-ahead of a step goes elsewhere");
+    public readonly PeopleClaim RewoundElsewhere = new("matches: played again goes elsewhere");
+    public readonly PeopleClaim Hung = new("matches: dead ball hangs still in a net", ClaimParts.Count);
+    public readonly PeopleClaim Restless = new("matches: dead ball not at rest in 19 s");
 
     public override PeopleClaim[] Claims => [Kicks, Goals, Squeezes, Inside, Left, Made, Elsewhere, RewoundElsewhere, Hung, Restless];
 
@@ -125,8 +116,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         {
             Vector3d place = i == parts ? after.Position : _ahead.PositionAt(before.Time + (frame * i / parts));
             double deep = Stadium.BallRadius - stadium.ToStanding(place);
-            Inside.Case(deep > Entered);
-            Inside.See(deep, $"{FormattableString.Invariant(at)}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
+            Inside.Judge(deep, Entered, $"{at}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
         }
     }
 
@@ -159,8 +149,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
 
         double had = Of(stadium.Scene, in before);
         double made = (Of(stadium.Scene, in after) - had) / Math.Abs(had);
-        Made.Case(made > EnergyRounding);
-        Made.See(made, $"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
+        Made.Judge(made, EnergyRounding, $"{at}, {before.Motion} to {after.Motion}");
     }
 
     /// <summary>Returns m v²/2 + I ω²/2 + m g′ y, with g′ reduced by the buoyancy.</summary>
@@ -183,7 +172,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
         bool hangs = ball.Motion != MotionState.Rest && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
         bool rests = ball.Motion == MotionState.Rest || hangs;
         Hung.Case(hangs);
-        Restless.Case(!rests, $"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
+        Restless.Case(!rests, $"{at}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
         return true;
     }
 
@@ -204,7 +193,7 @@ internal sealed class StadiumMatches() : PeopleCases("matches")
             _log.Clear();
             simulator.Step(ref state, step.Frame, _log);
             bool elsewhere = Snapshot.Hash(in state) != step.Hash;
-            RewoundElsewhere.Case(elsewhere, $"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
+            RewoundElsewhere.Case(elsewhere, $"{at}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
             if (elsewhere)
             {
                 return;

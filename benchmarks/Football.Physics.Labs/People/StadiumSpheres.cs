@@ -1,8 +1,6 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
 
-/// <summary>Spheres of an engine that lie about a pitch; every second one moves.</summary>
+/// <summary>Spheres of an engine that lie about a pitch; every second one moves. They throw after very many sphere casts, to end a step that never ends.</summary>
 internal sealed class StadiumSpheres : IEngineColliders
 {
     private const double Fastest = 6;
@@ -11,12 +9,16 @@ internal sealed class StadiumSpheres : IEngineColliders
     private const double Margin = 4;
     private const double EndMargin = 7;
 
+    /// <summary>The limit of sphere casts; five balls at their 8 192 pieces need a fraction of it per step or look-ahead.</summary>
+    private const long MostCasts = 400_000;
+
     private readonly double _halfWidth;
     private readonly double _halfLength;
     private readonly EngineCollider[] _colliders;
     private readonly double[] _radii;
     private readonly Vector3d[] _velocities;
     private readonly Vector3d[] _places;
+    private long _castsLeft = long.MaxValue;
 
     /// <summary>Places spheres on a pitch.</summary>
     /// <param name="count">The number of spheres.</param>
@@ -43,15 +45,22 @@ internal sealed class StadiumSpheres : IEngineColliders
         }
     }
 
-    /// <inheritdoc/>
     public double Time { get; set; }
 
-    /// <inheritdoc/>
-    public double MaximumSpeed => Fastest;
+    public double MaximumSpeed => Count > 0 ? Fastest : 0;
 
-    /// <inheritdoc/>
+    public int Count => _colliders.Length;
+
+    /// <summary>Starts to count the casts of the next step or look-ahead.</summary>
+    public void Begin() => _castsLeft = MostCasts;
+
     public void Cast(in SphereCast cast, EngineHits hits)
     {
+        if (--_castsLeft < 0)
+        {
+            throw new TimeoutException($"more than {MostCasts} sphere casts in one call");
+        }
+
         for (int i = 0; i < _colliders.Length; i++)
         {
             Vector3d way = _places[i] - cast.From;
@@ -79,24 +88,17 @@ internal sealed class StadiumSpheres : IEngineColliders
     }
 
     /// <summary>Returns the distance from the nearest of their surfaces, a time after the frame began.</summary>
-    public double Distance(Vector3d place, double after)
+    public double Distance(Vector3d place, double after) => Distance(place, after, 1);
+
+    /// <summary>Returns the distance from the nearest surface of the spheres that never move, which is every second one.</summary>
+    public double ToStanding(Vector3d place) => Distance(place, 0, 2);
+
+    private double Distance(Vector3d place, double after, int every)
     {
         double nearest = double.PositiveInfinity;
-        for (int i = 0; i < _places.Length; i++)
+        for (int i = 0; i < _places.Length; i += every)
         {
             nearest = Math.Min(nearest, (place - (_places[i] + (after * _velocities[i]))).Length - _radii[i]);
-        }
-
-        return nearest;
-    }
-
-    /// <summary>Returns the distance from the nearest surface of the spheres that never move.</summary>
-    public double ToStanding(Vector3d place)
-    {
-        double nearest = double.PositiveInfinity;
-        for (int i = 0; i < _places.Length; i += 2)
-        {
-            nearest = Math.Min(nearest, (place - _places[i]).Length - _radii[i]);
         }
 
         return nearest;

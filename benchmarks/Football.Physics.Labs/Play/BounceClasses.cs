@@ -40,10 +40,10 @@ internal static class BounceClasses
 
     private static BounceRow Row(double from, double to, string? surface, Bounce[] seen, Bounce[] made) => new(
         to < 100 ? FormattableString.Invariant($"{from:0}–{to:0} m/s") : FormattableString.Invariant($"over {from:0} m/s"), surface, seen.Length,
-        new Bounce(Median(made.Select(bounce => bounce.Restitution)), Median(made.Select(bounce => bounce.Kept)), Median(made.Select(bounce => bounce.Friction))),
-        new Bounce(
-            Median(made.Zip(seen, (one, other) => one.Restitution - other.Restitution)), Median(made.Zip(seen, (one, other) => one.Kept - other.Kept)),
-            Median(made.Zip(seen, (one, other) => one.Friction - other.Friction))));
+        Medians(made), Medians(made.Zip(seen, (one, other) => new Bounce(one.Restitution - other.Restitution, one.Kept - other.Kept, one.Friction - other.Friction))));
+
+    private static Bounce Medians(IEnumerable<Bounce> all) =>
+        new(Median(all.Select(bounce => bounce.Restitution)), Median(all.Select(bounce => bounce.Kept)), Median(all.Select(bounce => bounce.Friction)));
 
     private static bool In(MatchPiece piece, double from, double to)
     {
@@ -74,13 +74,8 @@ internal static class BounceClasses
         return impact.Spin + (Vector3d.Cross(Vector3d.Up, pieces[before].Velocity - impact.Velocity) / simulator.Scene.Ball.Radius);
     }
 
-    private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin)
-    {
-        var log = new StepLog();
-        BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), piece.VelocityBefore, spin);
-        simulator.Run(ref ball, 0.002, 1, StopAt.Impact, log);
-        return log.Events[0];
-    }
+    private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin) =>
+        simulator.FirstImpact(new Vector3d(0, simulator.ContactHeight, 0), piece.VelocityBefore, spin, 0.002, 1);
 
     private static Bounce Made(Simulator simulator, MatchPiece piece, Vector3d spin)
     {

@@ -1,9 +1,9 @@
+using System.Globalization;
 using System.Text;
 using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Fit;
 using FootballPhysics.Tool.Fit.Reading;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;
 
@@ -14,20 +14,11 @@ internal sealed class DamagedTracks
 
     private int _files;
 
-    /// <summary>The number of files that were read and fitted.</summary>
-    public int Fitted { get; private set; }
+    /// <summary>The files that were read and fitted, those that the reader rejected, and those that were read and that the fit rejected.</summary>
+    public LabCounts Counts { get; } = new();
 
-    /// <summary>The number of files that the reader rejected.</summary>
-    public int Refused { get; private set; }
-
-    /// <summary>The number of files that were read and that the fit rejected.</summary>
-    public int NotFitted { get; private set; }
-
-    /// <summary>The longest processor time that a file took, s.</summary>
-    public double Slowest { get; private set; }
-
-    /// <summary>The index of that file, from 0.</summary>
-    public int SlowestFile { get; private set; }
+    /// <summary>The longest processor time that a file took, s, and the index of that file, from 0.</summary>
+    public Peak<double, int> Slowest { get; } = new(0);
 
     /// <summary>The faults that were found.</summary>
     public List<string> Faults { get; } = [];
@@ -51,13 +42,7 @@ internal sealed class DamagedTracks
             Faults.Add($"{fault.GetType().Name}: {fault.Message} {fault.StackTrace?.Split('\n')[0].Trim()}");
         }
 
-        double took = Environment.CpuUsage.UserTime.TotalSeconds - start;
-        if (took > Slowest)
-        {
-            (Slowest, SlowestFile) = (took, _files);
-        }
-
-        _files++;
+        Slowest.See(Environment.CpuUsage.UserTime.TotalSeconds - start, _files++);
     }
 
     private TrackPoint[]? Read(byte[] file, TrackFormat format)
@@ -68,7 +53,7 @@ internal sealed class DamagedTracks
         }
         catch (RefusedException refusal)
         {
-            Refused++;
+            Counts.Add("refused by the reader");
             MustBeSentence(refusal.Message);
             return null;
         }
@@ -79,7 +64,7 @@ internal sealed class DamagedTracks
         try
         {
             MatchFitResult fit = new MatchFit().Find(track);
-            Fitted++;
+            Counts.Add("fitted");
             bool isFinite = double.IsFinite(fit.Rms) && fit.Pieces.All(piece => double.IsFinite(piece.Velocity.Length + piece.Spin.Length + piece.Position.Length + piece.Rms))
                 && Enumerable.Range(0, fit.Names.Count).All(i => double.IsFinite(fit.Value(i)));
             if (!isFinite)
@@ -89,7 +74,7 @@ internal sealed class DamagedTracks
         }
         catch (ArgumentException rejection) when (LibraryRefusal.Of(rejection, s_noFields) is not null)
         {
-            NotFitted++;
+            Counts.Add("refused by the fit");
             MustBeSentence(LibraryRefusal.Sentence(rejection));
         }
     }
@@ -111,67 +96,7 @@ internal sealed class DamagedTracks
         List<string> lines = TrackLayoutText.Write(layout, [.. match.Seen.Skip(from).Take(count)], random);
         for (int damages = random.Below(5); damages > 0; damages--)
         {
-            int at = random.Below(lines.Count);
-            switch (random.Below(17))
-            {
-                case 0:
-                    lines[at] = "";
-                    break;
-                case 1:
-                    lines[at] = lines[at].Replace('.', random.Any('x', ',', ';', '-'));
-                    break;
-                case 2:
-                    lines[at] += random.Any(",", ",1,2", ",\"", "\0");
-                    break;
-                case 3:
-                    lines.RemoveRange(at, Math.Min(lines.Count - at, random.Below(40) + 1));
-                    lines.Add("9999,1,1,1");
-                    break;
-                case 4:
-                    lines.Insert(at, lines[random.Below(lines.Count)]);
-                    break;
-                case 5:
-                    (lines[at], lines[^1]) = (lines[^1], lines[at]);
-                    break;
-                case 6:
-                    lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,");
-                    break;
-                case 7:
-                    Columns(lines, line => string.Join(separator, line.Split(separator).Reverse()));
-                    break;
-                case 8:
-                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
-                    break;
-                case 9:
-                    lines[0] = random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d");
-                    break;
-                case 10:
-                    Columns(lines, line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line);
-                    break;
-                case 11:
-                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random));
-                    break;
-                case 12:
-                    lines.RemoveAll(_ => random.Chance(0.5));
-                    lines.Add("t,x,y,z");
-                    break;
-                case 13:
-                    // Repeat a column.
-                    int twice = random.Below(4);
-                    Columns(lines, line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == twice ? (string[])[cell, cell] : [cell])));
-                    break;
-                case 14:
-                    // Reorder or repeat all lines.
-                    lines = random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines];
-                    break;
-                case 15:
-                    // Mix two layouts in a file.
-                    lines.AddRange(TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random));
-                    break;
-                default:
-                    lines[at] = Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)]);
-                    break;
-            }
+            lines = Damaged(random, match, lines, random.Below(lines.Count), separator, from);
         }
 
         string text = string.Join(random.Any("\n", "\r\n", "\r"), lines);
@@ -179,12 +104,41 @@ internal sealed class DamagedTracks
         return random.Chance(1.0 / 3) ? FuzzBytes.Changed(random, bytes, 1 + random.Below(6)) : bytes;
     }
 
-    private static void Columns(List<string> lines, Func<string, string> change)
+    /// <summary>Returns the lines with one damage, at a line or all over.</summary>
+    private static List<string> Damaged(SeededRandom random, SyntheticMatch match, List<string> lines, int at, char separator, int from)
     {
-        for (int i = 0; i < lines.Count; i++)
+        return random.Below(17) switch
         {
-            lines[i] = change(lines[i]);
-        }
+            0 => With(at, ""),
+            1 => With(at, lines[at].Replace('.', random.Any('x', ',', ';', '-'))),
+            2 => With(at, lines[at] + random.Any(",", ",1,2", ",\"", "\0")),
+            3 => [.. lines.Take(at), .. lines.Skip(at + random.Below(40) + 1), "9999,1,1,1"],
+            4 => [.. lines.Take(at), lines[random.Below(lines.Count)], .. lines.Skip(at)],
+            5 => [.. lines.Select((line, i) => i == at ? lines[^1] : i == lines.Count - 1 ? lines[at] : line)],
+            6 => With(at, random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,")),
+            7 => lines.ConvertAll(line => string.Join(separator, line.Split(separator).Reverse())),
+            8 => lines.ConvertAll(line => IsHeader(line) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0))),
+            9 => With(0, random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d")),
+            10 => lines.ConvertAll(line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line),
+            11 => lines.ConvertAll(line => IsHeader(line) || random.Chance(0.8) ? line : Jump(line, random)),
+            12 => [.. lines.Where(_ => !random.Chance(0.5)), "t,x,y,z"],
+            13 => WithTwice(random.Below(4)),
+
+            // Reorder or repeat all lines.
+            14 => random.Chance(0.5) ? [.. lines.OrderBy(_ => random.Next())] : [.. lines, .. lines],
+
+            // Mix two layouts in a file.
+            15 => [.. lines, .. TrackLayoutText.Write(random.Below(TrackLayoutText.Count), [.. match.Seen.Skip(from).Take(20)], random)],
+            _ => With(at, Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)])),
+        };
+
+        static bool IsHeader(string line) => line.Contains('t', StringComparison.Ordinal);
+
+        List<string> With(int at, string text) => [.. lines.Take(at), text, .. lines.Skip(at + 1)];
+
+        // Repeat a column.
+        List<string> WithTwice(int column) =>
+            lines.ConvertAll(line => string.Join(separator, line.Split(separator).SelectMany((cell, i) => i == column ? (string[])[cell, cell] : [cell])));
     }
 
     private static string Scaled(string line, double factor)
@@ -201,4 +155,53 @@ internal sealed class DamagedTracks
 
     private static string Times(string cell, double factor) =>
         double.TryParse(cell, System.Globalization.CultureInfo.InvariantCulture, out double number) ? FormattableString.Invariant($"{number * factor}") : cell;
+}
+
+/// <summary>Writes a track as lines of text in one of the <see cref="Count"/> layouts that the reader supports.</summary>
+internal static class TrackLayoutText
+{
+    /// <summary>The number of layouts.</summary>
+    public const int Count = 9;
+
+    /// <summary>The character between the cells of a layout; a comma for one without cells.</summary>
+    public static char Separator(int layout) => layout switch { 1 => ';', 2 => '\t', 3 => ' ', _ => ',' };
+
+    /// <summary>True if a layout has frame numbers, so that its reader needs the rate.</summary>
+    public static bool HasFrames(int layout) => layout == 7;
+
+    /// <summary>Writes the points of a track.</summary>
+    /// <param name="layout">The layout, 0 … <see cref="Count"/> − 1.</param>
+    /// <param name="points">The points.</param>
+    /// <param name="random">The random numbers for the columns that are not about the ball.</param>
+    public static List<string> Write(int layout, IReadOnlyList<TrackPoint> points, SeededRandom random)
+    {
+        // z is up in the file.
+        double metre = layout is 2 or 7 ? 100 : 1;
+        List<double[]> rows = [.. points.Select(point => (double[])[point.Time, metre * point.Position.X, -metre * point.Position.Z, metre * point.Position.Y])];
+        return layout switch
+        {
+            0 => ["t,x,y,z", .. rows.Select(row => string.Join(',', row.Select(Number)))],
+            1 => ["Zeit;x;y;z", .. rows.Select(row => string.Join(';', row.Select(number => Number(number).Replace('.', ','))))],
+            2 =>
+            [
+                "time\tteam\tobject\tx [cm]\ty [cm]\tz [cm]",
+                .. rows.SelectMany(row => (string[])
+                    [$"{Number(row[0])}\thome\t7\t{random.Below(100)}\t{random.Below(100)}\t0", $"{Number(row[0])}\tball\tball\t{Number(row[1])}\t{Number(row[2])}\t{Number(row[3])}"]),
+            ],
+            3 => [.. rows.Select(row => string.Join(' ', row.Select(Number)))],
+            4 => ["period,timestamp,ball_x,ball_y,ball_z", .. rows.Select(row => FormattableString.Invariant($"1,00:{(int)row[0] / 60:00}:{row[0] % 60:00.00},{Number(row[1])},{Number(row[2])},{Number(row[3])}"))],
+            5 => ["{\"data\": [", .. rows.Select((row, i) => $"{(i > 0 ? "," : "")}{{\"t\": {Number(row[0])}, \"x\": {Number(row[1])}, \"y\": {Number(row[2])}, \"z\": {Number(row[3])}}}"), "]}"],
+            6 => [.. rows.Select((row, i) => $"{{\"frameIdx\": {i}, \"gameClock\": {Number(row[0])}, \"period\": 1, \"ball\": {{\"xyz\": [{Number(row[1])}, {Number(row[2])}, {Number(row[3])}]}}}}")],
+            7 => [.. rows.Select((row, i) => FormattableString.Invariant($"{i}:4,1,1,{random.Below(500)},{random.Below(500)},1.5;:{row[1]:0},{row[2]:0},{row[3]:0},12,H,Alive;:"))],
+            _ =>
+            [
+                "<PutDataRequest><Positions><FrameSet TeamId=\"BALL\" PersonId=\"DFL-OBJ-0000XT\">",
+                .. rows.Select((row, i) => FormattableString.Invariant(
+                    $"<Frame N=\"{i}\" T=\"2021-05-09T15:{(int)row[0] / 60:00}:{row[0] % 60:00.000}+02:00\" X=\"{Number(row[1])}\" Y=\"{Number(row[2])}\" Z=\"{Number(row[3])}\" />")),
+                "</FrameSet></Positions></PutDataRequest>",
+            ],
+        };
+    }
+
+    private static string Number(double number) => number.ToString("0.####", CultureInfo.InvariantCulture);
 }

@@ -38,15 +38,14 @@ internal static class RealTrack
     /// <param name="flights">Receives the fit of each ball; null to skip the fits.</param>
     /// <param name="impacts">Receives the bounces.</param>
     /// <param name="windows">Receives the slides and rolls.</param>
-    /// <param name="report">Receives notes.</param>
-    /// <param name="said">Receives remarks on the file.</param>
-    public static void Add(string file, double? altitude, LabTable? flights, LabTable impacts, LabTable windows, LabReport report, Action<string> said)
+    /// <param name="run">Receives notes, and remarks on the file.</param>
+    public static void Add(string file, double? altitude, LabTable? flights, LabTable impacts, LabTable windows, LabRun run)
     {
         TrackPoint[] track;
         try
         {
             using FileStream stream = File.OpenRead(file);
-            track = TrackReader.Read(stream, said);
+            track = TrackReader.Read(stream, run.Terminal.Person.WriteLine);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
@@ -69,7 +68,7 @@ internal static class RealTrack
 
         AddImpacts(name, last!, impacts);
         AddWindows(name, last!, windows);
-        report.Notes.Add($"{name}: good for {MatchWriter.GoodFor(last!)}.");
+        run.Notes.Add($"{name}: good for {MatchWriter.GoodFor(last!)}.");
     }
 
     private static MatchFitResult Fit(TrackPoint[] track, BallProperties ball, Air air, bool drag) =>

@@ -4,7 +4,19 @@ namespace FootballPhysics.Labs.Scenes;
 /// A ball on a plane or a cylinder that moves and turns, in an inertial frame without air: the equations of slip and roll at the contact point, in steps of
 /// 0.05 ms by the classical Runge-Kutta method. It shares no code with the library.
 /// </summary>
-internal sealed class CarrierModel
+/// <param name="Radius">Radius of the ball, m.</param>
+/// <param name="Inertia">Its inertia factor.</param>
+/// <param name="Gravity">Gravity, m/s².</param>
+/// <param name="Sliding">The coefficient of sliding friction.</param>
+/// <param name="Rolling">The coefficient of rolling friction.</param>
+/// <param name="RollingBySpeed">Its growth with speed, s/m.</param>
+/// <param name="Damping">The rate at which the spin about the normal is damped, c/I, 1/s.</param>
+/// <param name="ShapeTurns">True if the shape itself turns, false if only its surface does.</param>
+/// <param name="Curve">The radius of a cylinder, m; 0 for a plane.</param>
+/// <param name="Axis">The axis of a cylinder, of length 1, through the pivot.</param>
+/// <param name="Normal">The normal of a plane, of length 1, through the pivot's start.</param>
+internal sealed record CarrierModel(
+    double Radius, double Inertia, Vector3d Gravity, double Sliding, double Rolling, double RollingBySpeed, double Damping, bool ShapeTurns, double Curve, Vector3d Axis, Vector3d Normal)
 {
     private const double Longest = 5e-5;
 
@@ -13,35 +25,6 @@ internal sealed class CarrierModel
 
     private Vector3d _ahead;
     private bool _slides;
-
-    /// <summary>Radius of the ball, m, its inertia factor, and gravity, m/s².</summary>
-    public required double Radius { get; init; }
-
-    public required double Inertia { get; init; }
-
-    public required Vector3d Gravity { get; init; }
-
-    /// <summary>The coefficients of sliding and of rolling friction, and the growth of the latter with speed, s/m.</summary>
-    public required double Sliding { get; init; }
-
-    public required double Rolling { get; init; }
-
-    public required double RollingBySpeed { get; init; }
-
-    /// <summary>The rate at which the spin about the normal is damped, c/I, 1/s.</summary>
-    public required double Damping { get; init; }
-
-    /// <summary>True if the shape itself turns, false if only its surface does.</summary>
-    public required bool ShapeTurns { get; init; }
-
-    /// <summary>The radius of a cylinder, m; 0 for a plane.</summary>
-    public double Curve { get; init; }
-
-    /// <summary>The axis of a cylinder, of length 1, through the pivot.</summary>
-    public Vector3d Axis { get; init; }
-
-    /// <summary>The normal of a plane, of length 1, through the pivot's start.</summary>
-    public Vector3d Normal { get; set; }
 
     /// <summary>The carrier's pivot, velocity and spin.</summary>
     public Vector3d Pivot { get; set; }
@@ -105,9 +88,7 @@ internal sealed class CarrierModel
         }
     }
 
-    private static Vector3d Along(in Vector3d v, in Vector3d n) => v - (Vector3d.Dot(v, n) * n);
-
-    private Vector3d NormalAt(in Vector3d p) => Curve > 0 ? Along(p - Pivot, Axis).Normalized() : Normal;
+    private Vector3d NormalAt(in Vector3d p) => Curve > 0 ? LabMath.Along(p - Pivot, Axis).Normalized() : Normal;
 
     /// <summary>Returns H v, the rate at which the normal turns along a motion.</summary>
     private Vector3d Bend(in Vector3d p, in Vector3d v)
@@ -118,7 +99,7 @@ internal sealed class CarrierModel
         }
 
         Vector3d n = NormalAt(p);
-        return Along(Along(v, n), Axis) / (Curve + Radius);
+        return LabMath.Along(LabMath.Along(v, n), Axis) / (Curve + Radius);
     }
 
     /// <summary>Returns q, the velocity relative to the shape.</summary>
@@ -143,11 +124,11 @@ internal sealed class CarrierModel
     private Vector3d Slip(in Vector3d p, in Vector3d v, in Vector3d w)
     {
         Vector3d n = NormalAt(p);
-        return Along(v - SurfaceVelocity(p), n) + (Radius * Vector3d.Cross(n, w));
+        return LabMath.Along(v - SurfaceVelocity(p), n) + (Radius * Vector3d.Cross(n, w));
     }
 
     /// <summary>Returns the velocity over the carrier's material, which rolling friction opposes.</summary>
-    private Vector3d Over(in Vector3d p, in Vector3d v) => Along(v - Velocity - Vector3d.Cross(Spin, p - Pivot), NormalAt(p));
+    private Vector3d Over(in Vector3d p, in Vector3d v) => LabMath.Along(v - Velocity - Vector3d.Cross(Spin, p - Pivot), NormalAt(p));
 
     /// <summary>Returns A_t + r ω_n n × ṅ: the rate of the surface's velocity along the path, plus the share of the ball's own spin about the normal.</summary>
     private Vector3d Drag(in Vector3d p, in Vector3d v, in Vector3d w)
@@ -155,11 +136,11 @@ internal sealed class CarrierModel
         Vector3d n = NormalAt(p);
         Vector3d rate = NormalRate(p, v);
         Vector3d surface = Vector3d.Cross(Spin, v - (Radius * rate) - Velocity);
-        return Along(surface, n) + (Radius * Vector3d.Dot(w, n) * Vector3d.Cross(n, rate));
+        return LabMath.Along(surface, n) + (Radius * Vector3d.Dot(w, n) * Vector3d.Cross(n, rate));
     }
 
     /// <summary>Returns F/m, the friction that keeps the ball from slipping.</summary>
-    private Vector3d Hold(in Vector3d p, in Vector3d v, in Vector3d w) => Inertia / (1 + Inertia) * (Drag(p, v, w) - Along(Gravity, NormalAt(p)));
+    private Vector3d Hold(in Vector3d p, in Vector3d v, in Vector3d w) => Inertia / (1 + Inertia) * (Drag(p, v, w) - LabMath.Along(Gravity, NormalAt(p)));
 
     private bool Grips() => Hold(Place, Moves, Turns).Length <= Sliding * Load(Place, Moves);
 
@@ -181,7 +162,7 @@ internal sealed class CarrierModel
         {
             Vector3d slip = Slip(p, v, w);
             Vector3d direction = slip.Length > 0.1 * NoSlip ? slip.Normalized() : _ahead;
-            acceleration = Along(Gravity, n) - (Sliding * load * direction) + (follows * n);
+            acceleration = LabMath.Along(Gravity, n) - (Sliding * load * direction) + (follows * n);
             spin = (Sliding * load / (Inertia * Radius) * Vector3d.Cross(n, direction)) + damping;
             return;
         }
@@ -189,7 +170,7 @@ internal sealed class CarrierModel
         Vector3d over = Over(p, v);
         double speed = over.Length;
         Vector3d brakes = speed > 0 ? (Rolling + (RollingBySpeed * speed)) * load / speed * over : default;
-        acceleration = ((Along(Gravity, n) + (Inertia * Drag(p, v, w))) / (1 + Inertia)) - brakes + (follows * n);
+        acceleration = ((LabMath.Along(Gravity, n) + (Inertia * Drag(p, v, w))) / (1 + Inertia)) - brakes + (follows * n);
 
         // ω = ω_n n + n × (v − V_c)/r: the tangential part follows from the path, so only ω_n is integrated, as X.
         Vector3d about = Vector3d.Dot(w, n) * n;

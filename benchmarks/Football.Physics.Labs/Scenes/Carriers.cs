@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Compares a ball on carriers that turn, accelerate in steps, are tilted or round, with a textbook integration of slip and roll.</summary>
@@ -47,7 +45,7 @@ internal sealed class Carriers : SceneKind
         Vector3d normal = form == Form.TiltedDisc ? Tilted(random) : form == Form.Drum ? Leaning(random.Uniform(-0.3, 0.3)) : Vector3d.Up;
         Vector3d axis = form == Form.Drum ? new Vector3d(0, 0, 1) : normal;
         Vector3d spin = form == Form.Platform ? default : random.Log(0.3, 6) * random.Any(-1.0, 1.0) * axis;
-        Vector3d velocity = random.Chance(0.5) || form == Form.Drum ? default : Along(random.Uniform(0, 2) * random.Direction(), normal);
+        Vector3d velocity = random.Chance(0.5) || form == Form.Drum ? default : LabMath.Along(random.Uniform(0, 2) * random.Direction(), normal);
         bool jumps = kind != PieceKind.Obstacles && form != Form.Drum && (form == Form.Platform || random.Chance(0.5));
         double push = random.Uniform(0.2, 5);
         double frame = Math.Min(random.Log(0.004, 1 / 30.0), 0.1 / Math.Max(1e-9, spin.Length));
@@ -64,24 +62,14 @@ internal sealed class Carriers : SceneKind
             RollingResistancePerSpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
             SpinDamping = damping * ball.MomentOfInertia,
         };
-        Vector3d place = form == Form.Drum ? ((curve + radius) * normal) + (random.Uniform(-1, 1) * axis) : (radius * normal) + Along(random.Uniform(0, 2) * random.Direction(), normal);
+        Vector3d place = form == Form.Drum ? ((curve + radius) * normal) + (random.Uniform(-1, 1) * axis) : (radius * normal) + LabMath.Along(random.Uniform(0, 2) * random.Direction(), normal);
         Vector3d beneath = velocity + Vector3d.Cross(spin, place - (radius * normal));
-        Vector3d moves = beneath + Along(random.Log(0.3, form == Form.Drum ? 1 : 4) * random.Direction(), normal);
+        Vector3d moves = beneath + LabMath.Along(random.Log(0.3, form == Form.Drum ? 1 : 4) * random.Direction(), normal);
         Vector3d turns = random.Chance(0.5) ? (Vector3d.Cross(normal, moves - beneath) / radius) + (random.Uniform(-10, 10) * normal) : random.Log(0.5, 40) * random.Direction();
 
-        var model = new CarrierModel
+        var model = new CarrierModel(
+            radius, inertia, new Vector3d(0, -9.81, 0), surface.SlidingFriction, rolling, surface.RollingResistancePerSpeed, damping, kind != PieceKind.Obstacles, curve, axis, normal)
         {
-            Radius = radius,
-            Inertia = inertia,
-            Gravity = new Vector3d(0, -9.81, 0),
-            Sliding = surface.SlidingFriction,
-            Rolling = rolling,
-            RollingBySpeed = surface.RollingResistancePerSpeed,
-            Damping = damping,
-            ShapeTurns = kind != PieceKind.Obstacles,
-            Curve = curve,
-            Axis = axis,
-            Normal = normal,
             Place = place,
             Moves = moves,
             Turns = turns,
@@ -106,7 +94,7 @@ internal sealed class Carriers : SceneKind
             frames.Add((pivot, angle, velocity, spin));
             pivot += frame * velocity;
             angle += frame * Vector3d.Dot(spin, axis);
-            velocity += jumps ? Along(push * frame * random.Direction(), normal) : default;
+            velocity += jumps ? LabMath.Along(push * frame * random.Direction(), normal) : default;
             spin += jumps && form != Form.Platform ? random.Uniform(-4, 4) * frame * axis : default;
         }
 
@@ -115,7 +103,7 @@ internal sealed class Carriers : SceneKind
             return null;
         }
 
-        IShape shape = form == Form.Drum ? new CapsuleShape(-30 * axis, 30 * axis, curve) : new BoxShape(-0.5 * normal, new Vector3d(60, 0.5, 60), Upright(normal));
+        IShape shape = form == Form.Drum ? new CapsuleShape(-30 * axis, 30 * axis, curve) : new BoxShape(-0.5 * normal, new Vector3d(60, 0.5, 60), LabMath.Upright(normal));
         BallState Run(int share) => Library(kind, shape, surface, ball, place, moves, turns, axis, frames, frame, share);
         int parts = Divide(Limit, share => Vector3d.Distance(Run(share).Position, Run(4 * share).Position));
         BallState found = Run(parts);
@@ -135,7 +123,6 @@ internal sealed class Carriers : SceneKind
         var scene = new Scene { Ball = ball, Air = new Air { Density = 0 }, Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -1000, RestEnergy = 1e-12 } };
         var simulator = new Simulator(pieces.In(scene, frames[0].Velocity, frames[0].Spin));
         BallState state = simulator.Launch(place, moves, turns);
-        var log = new StepLog();
         foreach ((Vector3d pivot, double angle, Vector3d velocity, Vector3d spin) in frames)
         {
             double start = state.Time;
@@ -143,17 +130,12 @@ internal sealed class Carriers : SceneKind
             {
                 double since = state.Time - start;
                 double turned = angle + (since * Vector3d.Dot(spin, axis));
-                pieces.MoveTo(pivot + (since * velocity), Quaterniond.FromAxisAngle(axis, turned), velocity, spin, state.Time);
-                log.Clear();
-                simulator.Step(ref state, frame / parts, log);
+                pieces.Step(simulator, ref state, frame / parts, pivot + (since * velocity), Quaterniond.FromAxisAngle(axis, turned), velocity, spin);
             }
         }
 
         return state;
     }
-
-    private static Vector3d Along(in Vector3d v, in Vector3d n) => v - (Vector3d.Dot(v, n) * n);
-
     private static Vector3d Leaning(double angle) => new(Math.Sin(angle), Math.Cos(angle), 0);
 
     private static Vector3d Tilted(SeededRandom random)
@@ -161,13 +143,5 @@ internal sealed class Carriers : SceneKind
         double tilt = random.Uniform(0.02, 0.6);
         Vector3d towards = random.Heading();
         return (Math.Cos(tilt) * Vector3d.Up) + (Math.Sin(tilt) * towards);
-    }
-
-    /// <summary>Returns the rotation that turns the vertical into a normal.</summary>
-    private static Quaterniond Upright(in Vector3d normal)
-    {
-        Vector3d axis = Vector3d.Cross(Vector3d.Up, normal);
-        double sine = axis.Length;
-        return sine < 1e-15 ? Quaterniond.Identity : Quaterniond.FromAxisAngle(axis / sine, Math.Atan2(sine, normal.Y));
     }
 }

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Compares a ball that crosses seams between flush surfaces with the same ball on one surface.</summary>
@@ -156,15 +154,12 @@ internal sealed class Seams : SceneKind
 
         // In the frame of the moving pieces, the motion is the same.
         BallState state = simulator.Launch(position, velocity + along, spin);
-        var log = new StepLog();
         int steps = (int)Math.Round(duration / step);
         for (int i = 0; i < steps; i++)
         {
             for (int k = 0; k < parts; k++)
             {
-                pieces.MoveTo(state.Time * along, Quaterniond.Identity, along, default, state.Time);
-                log.Clear();
-                simulator.Step(ref state, step / parts, log);
+                pieces.Step(simulator, ref state, step / parts, state.Time * along, Quaterniond.Identity, along, default);
             }
 
             path.Add(state.Position);

@@ -5,7 +5,7 @@ namespace FootballPhysics.Labs.Stability;
 /// With k = ½ρA/m, s = r|ω|, Sp = s/|u|: drag is −k C_D |u| u, the Magnus force k C_L |u| (ω̂ × u) or, with a constant coefficient, 2 k C_M s (ω̂ × u).
 /// A force f(|u|) along û has the slope f′ and the curvature f″; one across it is turned by as much and stretches by half of |u| (f/|u|)′.
 /// </remarks>
-internal sealed class AirBounds
+internal sealed class AirBounds(Scene scene)
 {
     private const double CriticalSpeed = 12.19;
 
@@ -19,35 +19,22 @@ internal sealed class AirBounds
     private const double CrisisFrom = 8;
     private const double CrisisTo = 18;
 
-    private readonly ForceSet _forces;
-    private readonly bool _regularised;
-    private readonly double _scale;
-    private readonly double _spinDecay;
-    private readonly double _radius;
-    private readonly DragCurve _curve;
-    private readonly double _perSpeed; // 2r/ν, s/m
+    private readonly ForceSet _forces = scene.Forces;
+    private readonly bool _regularised = scene.Forces.Coefficients == AerodynamicModel.Regularized;
+    private readonly double _scale = 0.5 * scene.Air.Density * Area(scene.Ball) / scene.Ball.Mass;
+    private readonly double _radius = scene.Ball.Radius;
+    private readonly DragCurve _curve = scene.Ball.DragCurve;
+    private readonly double _perSpeed = 2 * scene.Ball.Radius / scene.Air.KinematicViscosity; // 2r/ν, s/m
 
-    public AirBounds(Scene scene)
+    // ω̇ = k ω / I, or (r/2) ρ A 0.0074 (2r/ν)^(−1/5) (U₊^1.8 + U₋^1.8) / I with U± ≤ |u| + s/2
+    private readonly double _spinDecay = scene.Forces.SpinDecay switch
     {
-        BallProperties ball = scene.Ball;
-        double r = ball.Radius;
-        _radius = r;
-        _curve = ball.DragCurve;
-        _perSpeed = 2 * r / scene.Air.KinematicViscosity;
-        double area = Math.PI * r * r;
-        _forces = scene.Forces;
-        _regularised = scene.Forces.Coefficients == AerodynamicModel.Regularized;
-        _scale = 0.5 * scene.Air.Density * area / ball.Mass;
-
-        // ω̇ = k ω / I, or (r/2) ρ A 0.0074 (2r/ν)^(−1/5) (U₊^1.8 + U₋^1.8) / I with U± ≤ |u| + s/2
-        _spinDecay = _forces.SpinDecay switch
-        {
-            ForceLaw.None => 0,
-            ForceLaw.Constant => _forces.SpinDecayCoefficient / ball.MomentOfInertia,
-            ForceLaw.Empirical => r * scene.Air.Density * area * 0.0074 * Math.Pow(2 * r / scene.Air.KinematicViscosity, -0.2) / ball.MomentOfInertia,
-            _ => throw new ArgumentOutOfRangeException(nameof(scene)),
-        };
-    }
+        ForceLaw.None => 0,
+        ForceLaw.Constant => scene.Forces.SpinDecayCoefficient / scene.Ball.MomentOfInertia,
+        ForceLaw.Empirical => scene.Ball.Radius * scene.Air.Density * Area(scene.Ball) * 0.0074 * Math.Pow(2 * scene.Ball.Radius / scene.Air.KinematicViscosity, -0.2)
+            / scene.Ball.MomentOfInertia,
+        _ => throw new ArgumentOutOfRangeException(nameof(scene)),
+    };
 
     /// <summary>True if the share of spin that a ball loses per time is the same at every speed and spin.</summary>
     public bool SpinDecaysEvenly => _forces.SpinDecay != ForceLaw.Empirical;
@@ -169,8 +156,24 @@ internal sealed class AirBounds
             lift * fast * ((0.83 * deficit) + perSpin));
     }
 
+    private static double Area(BallProperties ball) => Math.PI * ball.Radius * ball.Radius;
+
     /// <summary>Returns the maximum of Sp; 0 without spin, even at rest.</summary>
     private static double Share(double surface, double slow) => surface > 0 ? surface / slow : 0;
 
     private static double Logistic(double x) => 1 / (1 + Math.Exp(-x));
+}
+
+/// <summary>Upper bounds of the air's acceleration A(u, ω) of a ball, and of its derivatives, over a range of speeds and spins. J is ∂A/∂u.</summary>
+/// <param name="Size">|A|, m/s².</param>
+/// <param name="Slope">‖J‖, 1/s.</param>
+/// <param name="Stretch">The symmetric part of J, 1/s: it makes a velocity longer or shorter. It is 0 for a force that only turns the velocity.</param>
+/// <param name="Curvature">‖∂²A/∂u²‖, 1/m.</param>
+/// <param name="BySpin">|∂A/∂ ln ω|, m/s².</param>
+internal readonly record struct AirBound(double Size, double Slope, double Stretch, double Curvature, double BySpin)
+{
+    public static AirBound operator +(in AirBound a, in AirBound b) =>
+        new(a.Size + b.Size, a.Slope + b.Slope, a.Stretch + b.Stretch, a.Curvature + b.Curvature, a.BySpin + b.BySpin);
+
+    public static AirBound operator *(double k, in AirBound a) => new(k * a.Size, k * a.Slope, k * a.Stretch, k * a.Curvature, k * a.BySpin);
 }

@@ -5,7 +5,9 @@ namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Computes the energy that the ball gained in a frame, and the most that the method can have created, from the states before and after it.</summary>
 /// <remarks>A frame that gains more than rounding is stepped again from the state before it, to observe its pieces. The bound is the sum of their bounds.</remarks>
-internal sealed class EnergyCheck : PieceObserver
+/// <param name="stress">The scene, and its method.</param>
+/// <param name="simulator">Its simulator.</param>
+internal sealed class EnergyCheck(StressScene stress, Simulator simulator) : PieceObserver
 {
     /// <summary>Rounding of a sum, as a share.</summary>
     private const double Rounding = 2.3e-16;
@@ -22,46 +24,23 @@ internal sealed class EnergyCheck : PieceObserver
     /// <summary>The slip that remains, m/s, when a ball is taken to roll.</summary>
     private const double LastSlip = 1e-9;
 
-    private readonly Scene _scene;
-    private readonly SolverSettings _settings;
-    private readonly bool _windy;
-    private readonly double _upward;
-    private readonly Simulator _simulator;
-    private readonly MethodError _method;
-    private readonly MethodError _parts;
+    private readonly Scene _scene = stress.Scene;
+    private readonly SolverSettings _settings = stress.Settings;
+    private readonly double _upward = stress.Upward;
+    private readonly MethodError _method = new(stress.Integrator, stress.Scene);
+    private readonly MethodError _parts = new(Integrator.Rk4, stress.Scene);
     private readonly StepLog _log = new();
-    private readonly double _mass;
-    private readonly double _inertiaFactor;
-    private readonly double _radius;
-    private readonly double _weight;
-    private readonly double _damping;
+    private readonly double _mass = stress.Scene.Ball.Mass;
+    private readonly double _inertiaFactor = stress.Scene.Ball.InertiaFactor;
+    private readonly double _radius = stress.Scene.Ball.Radius;
+    private readonly double _weight = stress.Scene.Ball.Mass * Math.Abs(stress.Upward);
+    private readonly double _damping = stress.Scene.Ground.Material.SpinDamping / stress.Scene.Ball.MomentOfInertia;
     private double _slowSurface;
     private double _fastSurface;
     private int _seen;
     private double _dt;
     private double _made;
     private double _corrected;
-
-    /// <param name="scene">The scene.</param>
-    /// <param name="settings">The settings of its method.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
-    /// <param name="simulator">Its simulator.</param>
-    public EnergyCheck(Scene scene, SolverSettings settings, double upward, Simulator simulator)
-    {
-        _scene = scene;
-        _settings = settings;
-        _windy = scene.Air.Wind.Length > 0;
-        _upward = upward;
-        _simulator = simulator;
-        _method = new MethodError(settings.Integrator, scene);
-        _parts = new MethodError(Integrator.Rk4, scene);
-        _mass = scene.Ball.Mass;
-        _inertiaFactor = scene.Ball.InertiaFactor;
-        _radius = scene.Ball.Radius;
-        _weight = _mass * Math.Abs(upward);
-        _damping = scene.Ground.Material.SpinDamping / scene.Ball.MomentOfInertia;
-        _log.Observer = this;
-    }
 
     public override bool WantsEndAcceleration => false;
 
@@ -78,8 +57,8 @@ internal sealed class EnergyCheck : PieceObserver
     {
         // In the frame of the wind, air that presses a ball against the ground does work on it.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
-            && !(_windy && after.Position.Y <= _simulator.ContactHeight + Touching);
-        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Slides(events)))))
+            && !(stress.Windy && after.Position.Y <= simulator.ContactHeight + Touching);
+        if (!flies && (stress.Windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Slides(events)))))
         {
             return null;
         }
@@ -149,7 +128,8 @@ internal sealed class EnergyCheck : PieceObserver
         _corrected = 0;
         _slowSurface = _fastSurface = _radius * before.Spin.Length;
         _log.Clear();
-        _simulator.Step(ref state, dt, _log);
+        _log.Observer = this;
+        simulator.Step(ref state, dt, _log);
     }
 
     /// <summary>
@@ -176,33 +156,38 @@ internal sealed class EnergyCheck : PieceObserver
     {
         double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_upward) * dt);
         double surface = Math.Max(before.Spin.Length, after.Spin.Length) * _radius;
-        double height = Math.Abs(before.Position.Y) + Math.Abs(after.Position.Y) + Math.Abs(_simulator.ContactHeight);
+        double height = Math.Abs(before.Position.Y) + Math.Abs(after.Position.Y) + Math.Abs(simulator.ContactHeight);
         return 8 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
     }
 
     /// <summary>Returns ½ m u² + m g y in the frame of the wind, J: the air cannot increase it, and spin energy cannot enter it.</summary>
     private double InFlight(in BallState s, double time)
     {
-        double climb = s.Position.Y - _simulator.ContactHeight - (Wind.Y * time);
+        double climb = s.Position.Y - simulator.ContactHeight - (Wind.Y * time);
         return (0.5 * _mass * (s.Velocity - Wind).LengthSquared) - (_mass * _upward * climb);
     }
 
     /// <summary>Returns ½ m v² + ½ I ω² + m g y, J.</summary>
     public double Total(in BallState s) =>
         (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
-        - (_mass * _upward * (s.Position.Y - _simulator.ContactHeight));
+        - (_mass * _upward * (s.Position.Y - simulator.ContactHeight));
 
     /// <summary>True if the ball has started or ended a slide.</summary>
-    private static bool Slides(ReadOnlySpan<BallEvent> events)
-    {
-        foreach (ref readonly BallEvent item in events)
-        {
-            if (item.Kind is BallEventKind.Slide or BallEventKind.Roll)
-            {
-                return true;
-            }
-        }
+    private static bool Slides(ReadOnlySpan<BallEvent> events) => events.ToArray().Any(item => item.Kind is BallEventKind.Slide or BallEventKind.Roll);
+}
 
-        return false;
-    }
+/// <summary>The energy that a ball gained in a frame, and the part of it that the method's own error and rounding can explain.</summary>
+/// <param name="Gained">Energy at the end less energy at the start, J.</param>
+/// <param name="ByMethod">The most that the method creates in its pieces, J.</param>
+/// <param name="ByContact">The most that finding contact, and the slip at its end, creates, J.</param>
+/// <param name="ByRounding">The most that rounding creates, J.</param>
+internal readonly record struct FrameEnergy(double Gained, double ByMethod, double ByContact, double ByRounding)
+{
+    /// <summary>A larger gain, J, was created from nothing.</summary>
+    public double Allowed => ByMethod + ByContact + ByRounding;
+
+    public bool Holds => Gained <= Allowed;
+
+    /// <summary>The share of the method's allowance that it used; 0 if rounding alone could create as much.</summary>
+    public double Share => ByMethod > ByContact + ByRounding ? Gained / Allowed : 0;
 }

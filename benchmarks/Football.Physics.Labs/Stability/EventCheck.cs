@@ -8,6 +8,7 @@ internal static class EventCheck
     public static void Events(StressFrame frame)
     {
         double lastTime = frame.Before.Time;
+        double end = frame.Before.Time + frame.Length;
         foreach (ref readonly BallEvent item in frame.Log.Events)
         {
             bool finite = item.Position.IsFinite && item.Velocity.IsFinite && item.Spin.IsFinite
@@ -18,12 +19,11 @@ internal static class EventCheck
                 continue;
             }
 
-            Order(frame, in item, lastTime);
+            frame.FindIf(
+                !(item.Time >= lastTime && item.Time <= end), "time of an event", Math.Max(lastTime - item.Time, item.Time - end),
+                $"{item.Kind} at {item.Time:R} after {lastTime:R} in a frame to {end:R}");
             double off = Math.Abs(item.Position.Y - frame.Contact);
-            if (off > frame.Touching)
-            {
-                frame.Find("event off contact", off, $"{item.Kind}");
-            }
+            frame.FindIf(off > frame.Touching, "event off contact", off, $"{item.Kind}");
 
             if (item.Kind == BallEventKind.Impact)
             {
@@ -32,15 +32,9 @@ internal static class EventCheck
 
             double radius = frame.Scene.Scene.Ball.Radius;
             var slip = new Vector3d(item.Velocity.X + (radius * item.Spin.Z), 0, item.Velocity.Z - (radius * item.Spin.X));
-            if (item.Kind == BallEventKind.Roll && slip.Length > 1e-12 * (1 + item.Velocity.Length))
-            {
-                frame.Find("slip after a roll", slip.Length, $"{slip}");
-            }
+            frame.FindIf(item.Kind == BallEventKind.Roll && slip.Length > 1e-12 * (1 + item.Velocity.Length), "slip after a roll", slip.Length, $"{slip}");
 
-            if (item.Kind == BallEventKind.Rest && frame.After.Motion != MotionState.Rest)
-            {
-                frame.Find("rest but not stopped", 1, $"{frame.After.Motion}");
-            }
+            frame.FindIf(item.Kind == BallEventKind.Rest && frame.After.Motion != MotionState.Rest, "rest but not stopped", 1, $"{frame.After.Motion}");
 
             lastTime = item.Time;
         }
@@ -88,10 +82,7 @@ internal static class EventCheck
             double surface = scene.Scene.Ball.Radius * Math.Max(frame.Before.Spin.Length, item.SpinBefore.Length);
             double speed = frame.Fastest + surface + scene.Scene.Air.Wind.Length + 1e-9;
             double most = ((scene.Windy ? 10 : 3) * speed * time) + 1e-9 + (4 * StressFrame.Ulp(1e6)) + (time * Math.Abs(scene.Upward) * frame.Length);
-            if (way > most)
-            {
-                frame.FindMild("event too far on", way / most, $"{item.Kind} {way} m on after {time} s at up to {frame.Fastest} m/s");
-            }
+            frame.FindMildIf(way > most, "event too far on", way / most, $"{item.Kind} {way} m on after {time} s at up to {frame.Fastest} m/s");
 
             lastTime = item.Time;
             lastPlace = item.Position;
@@ -112,10 +103,9 @@ internal static class EventCheck
                 continue;
             }
 
-            if (!(item.Time >= notBefore))
-            {
-                frame.Find("hop", notBefore - item.Time, $"impact at {item.Time} after a rise at {rise} m/s, not possible before {notBefore}");
-            }
+            frame.FindIf(
+                !(item.Time >= notBefore), "hop", notBefore - item.Time,
+                $"impact at {item.Time} after a rise at {rise} m/s, not possible before {notBefore}");
 
             notBefore = item.Time + ShortestHop(frame, in item);
             rise = item.Velocity.Y;
@@ -123,10 +113,7 @@ internal static class EventCheck
 
         // A ball that is heavier than the air slides, rolls and rests once, if no lift takes it off the ground again. The air alone moves a weightless ball.
         bool leaves = frame.Scene.Scene.Ground.Aerodynamics == GroundAerodynamics.Full;
-        if (others > 3 && frame.Scene.Upward < 0 && !leaves)
-        {
-            frame.Find("events", others, $"{others} of a ball on the ground");
-        }
+        frame.FindIf(others > 3 && frame.Scene.Upward < 0 && !leaves, "events", others, $"{others} of a ball on the ground");
     }
 
     /// <summary>Returns the shortest duration of a hop: 2 v/a with the largest downward acceleration. It is half as long for semi-implicit Euler, which falls before it rises.</summary>
@@ -146,15 +133,6 @@ internal static class EventCheck
         double down = Math.Max(0, -frame.Scene.Upward) + frame.Air.Size(speed, scene.Ball.Radius * impact.Spin.Length);
         double tolerance = settings.CollisionTiming == CollisionTiming.Bisection ? 2 * settings.CollisionTolerance : 1e-12;
         return ((1 - 1e-6) * impact.Velocity.Y / Math.Max(down, 1e-300)) - tolerance;
-    }
-
-    private static void Order(StressFrame frame, in BallEvent item, double lastTime)
-    {
-        double end = frame.Before.Time + frame.Length;
-        if (!(item.Time >= lastTime && item.Time <= end))
-        {
-            frame.Find("time of an event", Math.Max(lastTime - item.Time, item.Time - end), $"{item.Kind} at {item.Time:R} after {lastTime:R} in a frame to {end:R}");
-        }
     }
 
     private static void Impact(StressFrame frame, in BallEvent item)
@@ -177,17 +155,11 @@ internal static class EventCheck
         Law(frame.Scene.Scene, item.VelocityBefore, item.SpinBefore, out Vector3d velocity, out Vector3d spin);
         double scale = item.VelocityBefore.Length + (ball.Radius * item.SpinBefore.Length) + 1e-300;
         double off = ((velocity - item.Velocity).Length + (ball.Radius * (spin - item.Spin).Length)) / scale;
-        if (off > 1e-13 && !frame.Scene.Measured)
-        {
-            frame.Find("law of impact", off, $"{item.VelocityBefore}, {item.SpinBefore} to {item.Velocity}, {item.Spin}");
-        }
+        frame.FindIf(off > 1e-13 && !frame.Scene.Measured, "law of impact", off, $"{item.VelocityBefore}, {item.SpinBefore} to {item.Velocity}, {item.Spin}");
 
         double before = (ball.Mass * item.VelocityBefore.LengthSquared) + (ball.MomentOfInertia * item.SpinBefore.LengthSquared);
         double after = (ball.Mass * item.Velocity.LengthSquared) + (ball.MomentOfInertia * item.Spin.LengthSquared);
-        if (after > before * (1 + 1e-12) && after > 1e-300)
-        {
-            frame.Find("energy of an impact", (after / before) - 1, $"{0.5 * before} J to {0.5 * after} J");
-        }
+        frame.FindIf(after > before * (1 + 1e-12) && after > 1e-300, "energy of an impact", (after / before) - 1, $"{0.5 * before} J to {0.5 * after} J");
     }
 
     /// <summary>Applies the law of impact again, from its equations. A ball that does not approach gets no impulse.</summary>

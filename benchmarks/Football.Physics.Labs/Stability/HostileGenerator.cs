@@ -25,7 +25,7 @@ internal static class HostileGenerator
         air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / volume) };
         Ground ground = AnyGround(random, ball);
         ForceSet forces = Forces(random, kind, ball, ground.Height);
-        Kick(random, kind, ball, air, ground, gravity, out double up, out Vector3d velocity, out Vector3d spin);
+        (Vector3d velocity, Vector3d spin, double up) = Kick(random, kind, ball, air, ground, gravity);
         Vector3d position = Place(random, kind, ground.Height + ball.Radius, ground.Height, up);
         SolverSettings settings = Settings(random);
         return new StressScene
@@ -115,77 +115,57 @@ internal static class HostileGenerator
         return own ? forces with { CustomForces = [HostileForces.Draw(random, groundHeight)] } : forces;
     }
 
-    private static void Kick(
-        HostileRandom random, int kind, BallProperties ball, Air air, Ground ground, double gravity, out double up, out Vector3d velocity, out Vector3d spin)
+    private static (Vector3d Velocity, Vector3d Spin, double Up) Kick(HostileRandom random, int kind, BallProperties ball, Air air, Ground ground, double gravity)
     {
         double speed = random.Any(random.Uniform(0, 40), random.Log(1e-9, 1000), 1000.0, 0.0, CriticalSpeed, 1e-3, random.Uniform(10, 14));
         double spinRate = random.Any(0.0, random.Uniform(0, 100), 10000.0, random.Log(1e-9, 10000), 1e-100);
         var along = new Vector3d(1, 0, 0);
         var down = new Vector3d(0, -1, 0);
         Vector3d direction = random.Chance(0.15) ? random.Any(along, Vector3d.Up, down, new Vector3d(0, 0, 1)) : random.Direction();
-        velocity = speed * direction;
-        spin = spinRate * (random.Chance(0.2) ? random.Any(along, Vector3d.Up, down) : random.Direction());
-        up = random.Any(0.0, random.Log(1e-15, 1e-3), random.Uniform(0, 3), random.Uniform(0, 500), random.Log(1, 1e5));
+        Vector3d velocity = speed * direction;
+        Vector3d spin = spinRate * (random.Chance(0.2) ? random.Any(along, Vector3d.Up, down) : random.Direction());
+        double up = random.Any(0.0, random.Log(1e-15, 1e-3), random.Uniform(0, 3), random.Uniform(0, 500), random.Log(1, 1e5));
         double threshold = ground.MinimumBounceSpeed;
-        switch (kind)
+        (velocity, spin, up) = kind switch
         {
-            case 0:
-                // Exactly at the critical speed.
-                velocity = (CriticalSpeed * random.Direction()) + air.Wind;
-                spin = CriticalSpin * CriticalSpeed / ball.Radius * random.Any(1, 1 + 1e-15, 1 - 1e-15, 2, 0.5, random.Log(0.01, 100)) * random.Direction();
-                up = random.Uniform(0, 30);
-                break;
-            case 1:
-                // Exactly at the critical spin.
-                double fast = random.Uniform(12, 40);
-                velocity = (fast * random.Direction()) + air.Wind;
-                spin = CriticalSpin * fast / ball.Radius * random.Any(1, 1 + 2e-16, 1 - 2e-16) * random.Direction();
-                up = random.Uniform(0, 30);
-                break;
-            case 2:
-                // Level flight at the critical speed.
-                velocity = (CriticalSpeed * random.Any(1, 1 + 1e-12, 1 - 1e-9, 1 + 1e-6) * random.Heading()) + air.Wind;
-                up = random.Uniform(0, 20);
-                break;
-            case 3:
-                // On the ground, at and around the minimum bounce speed.
-                up = 0;
-                velocity = new Vector3d(
-                    velocity.X, random.Any(threshold, -threshold, 0, 1e-100, -1e-100, threshold * (1 - 1e-16), -threshold * (1 - 1e-15)), velocity.Z);
-                break;
-            case 4:
-                // Grazes the ground.
-                up = random.Log(1e-12, 1);
-                double fall = Math.Sqrt(2 * gravity * up);
-                velocity = new Vector3d(velocity.X, random.Any(-fall, fall, -fall * (1 + 1e-12), 0.0), velocity.Z);
-                break;
-            case 5:
-                velocity = Vector3d.Zero;
-                up = random.Any(0.0, 500.0, 1.0);
-                break;
-            case 6:
-                // Spins along its flight.
-                spin = spinRate / Math.Max(1e-6, velocity.Length) * velocity;
-                break;
-            case 7:
-                // Rolls without slip.
-                up = 0;
-                velocity = new Vector3d(velocity.X, 0, velocity.Z);
-                spin = new Vector3d(velocity.Z / ball.Radius, spin.Y, -velocity.X / ball.Radius);
-                break;
-            case 8:
-                velocity = air.Wind;
-                break;
-            case 9:
-                up = 0;
-                velocity = new Vector3d(velocity.X, -Math.Abs(velocity.Y) - 1, velocity.Z);
-                break;
-            default:
-                break;
-        }
+            // Exactly at the critical speed.
+            0 => (
+                (CriticalSpeed * random.Direction()) + air.Wind,
+                CriticalSpin * CriticalSpeed / ball.Radius * random.Any(1, 1 + 1e-15, 1 - 1e-15, 2, 0.5, random.Log(0.01, 100)) * random.Direction(),
+                random.Uniform(0, 30)),
+            1 => AtCriticalSpin(random.Uniform(12, 40)),
 
-        velocity = velocity.Length > 1000 ? velocity * (999.999 / velocity.Length) : velocity;
-        spin = spin.Length > 10000 ? spin * (9999.99 / spin.Length) : spin;
+            // Level flight at the critical speed.
+            2 => ((CriticalSpeed * random.Any(1, 1 + 1e-12, 1 - 1e-9, 1 + 1e-6) * random.Heading()) + air.Wind, spin, random.Uniform(0, 20)),
+
+            // On the ground, at and around the minimum bounce speed.
+            3 => (Rising(random.Any(threshold, -threshold, 0, 1e-100, -1e-100, threshold * (1 - 1e-16), -threshold * (1 - 1e-15))), spin, 0),
+            4 => Grazing(random.Log(1e-12, 1)),
+            5 => (Vector3d.Zero, spin, random.Any(0.0, 500.0, 1.0)),
+
+            // Spins along its flight.
+            6 => (velocity, spinRate / Math.Max(1e-6, velocity.Length) * velocity, up),
+
+            // Rolls without slip.
+            7 => (Rising(0), new Vector3d(velocity.Z / ball.Radius, spin.Y, -velocity.X / ball.Radius), 0),
+            8 => (air.Wind, spin, up),
+            9 => (Rising(-Math.Abs(velocity.Y) - 1), spin, 0),
+            _ => (velocity, spin, up),
+        };
+        return (velocity.Length > 1000 ? velocity * (999.999 / velocity.Length) : velocity, spin.Length > 10000 ? spin * (9999.99 / spin.Length) : spin, up);
+
+        Vector3d Rising(double rise) => new(velocity.X, rise, velocity.Z);
+
+        // Exactly at the critical spin.
+        (Vector3d Velocity, Vector3d Spin, double Up) AtCriticalSpin(double fast) => (
+            (fast * random.Direction()) + air.Wind, CriticalSpin * fast / ball.Radius * random.Any(1, 1 + 2e-16, 1 - 2e-16) * random.Direction(), random.Uniform(0, 30));
+
+        // Grazes the ground.
+        (Vector3d Velocity, Vector3d Spin, double Up) Grazing(double height)
+        {
+            double fall = Math.Sqrt(2 * gravity * height);
+            return (Rising(random.Any(-fall, fall, -fall * (1 + 1e-12), 0.0)), spin, height);
+        }
     }
 
     private static Vector3d Place(HostileRandom random, int kind, double contact, double groundHeight, double up)
@@ -232,5 +212,80 @@ internal static class HostileGenerator
         }
 
         return frames;
+    }
+}
+
+/// <summary>Custom forces of any strength.</summary>
+internal static class HostileForces
+{
+    /// <summary>Returns one of four forces; all are drawn, so that the random sequence does not depend on the choice.</summary>
+    public static IForce Draw(HostileRandom random, double groundHeight) => random.Any<IForce>(
+        new Spring(
+            random.Log(1e-3, 1e3),
+            random.Any(0.0, random.Log(1e-3, 10)),
+            new Vector3d(random.Uniform(-5, 5), groundHeight + random.Uniform(-3, 5), random.Uniform(-5, 5))),
+        new Twister(random.Log(1e-2, 1e3), random.Log(1e-2, 1e4)),
+        new Thrust(random.Uniform(-20, 20)),
+        new Damper(random.Log(1e-3, 1e2), random.Log(1e-9, 1e3)));
+
+    private sealed record Spring(double Stiffness, double Damping, Vector3d Origin) : IForce
+    {
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce((Stiffness * (Origin - ball.Position)) - (Damping * ball.Velocity));
+    }
+
+    private sealed record Twister(double Strength, double Rate) : IForce
+    {
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
+        {
+            sum.AddForce(new Vector3d(Strength * Math.Sin(Rate * ball.Time), Strength * Math.Cos(Rate * ball.Time), 0));
+            sum.AddTorque(new Vector3d(0, 0.001 * Strength, 0));
+        }
+    }
+
+    private sealed record Thrust(double Strength) : IForce
+    {
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(new Vector3d(0, Strength, 0));
+    }
+
+    private sealed record Damper(double OfVelocity, double OfSpin) : IForce
+    {
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
+        {
+            sum.AddForce(-OfVelocity * ball.Velocity);
+            sum.AddTorque(-OfSpin * ball.Spin);
+        }
+    }
+}
+
+/// <summary>The random numbers of the hostile scenes. The scenes depend on their order and their bits, so neither may change.</summary>
+internal sealed class HostileRandom(ulong seed) : SeededRandom(Start(seed))
+{
+    public override double Log(double low, double high) => Math.Exp(Uniform(Math.Log(low), Math.Log(high)));
+
+    public override int Below(int count) => (int)(Bits() % (ulong)count);
+
+    public override Vector3d Direction()
+    {
+        while (true)
+        {
+            var v = new Vector3d(Uniform(-1, 1), Uniform(-1, 1), Uniform(-1, 1));
+            double length = Math.Sqrt((v.X * v.X) + (v.Y * v.Y) + (v.Z * v.Z));
+            if (length is > 1e-3 and <= 1)
+            {
+                return new Vector3d(v.X / length, v.Y / length, v.Z / length);
+            }
+        }
+    }
+
+    private static ulong Start(ulong seed)
+    {
+        unchecked
+        {
+            ulong z = seed + 0x632BE59BD9B4E019UL;
+            z = (z ^ (z >> 33)) * 0xFF51AFD7ED558CCDUL;
+            z = (z ^ (z >> 33)) * 0xC4CEB9FE1A85EC53UL;
+            z ^= z >> 33;
+            return (Mixed(z + Step) ^ (z << 1)) + Step;
+        }
     }
 }

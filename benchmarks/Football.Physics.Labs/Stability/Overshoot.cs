@@ -10,9 +10,9 @@ internal static class Overshoot
     private const double LongStep = 1;
 
     /// <summary>z = |u| Δt ½ρC_D A/m; a beach ball at 200 m/s.</summary>
-    public static LabTable Table()
+    public static void AddTable(LabRun run)
     {
-        var table = new LabTable(
+        LabTable table = run.Table(
             "drag overshoots from this step on (beach ball, 200 m/s, C_D 0.25)",
             "method", "reverses from z", "grows from z", "z = 1 at, ms", "reverses at, ms", "parts of a 1 s step", "speed after, m/s");
         Scene scene = Scene.Published with
@@ -34,7 +34,6 @@ internal static class Overshoot
         }
 
         table.Add("exact", double.NaN, double.NaN, double.NaN, double.NaN, null, Speed / (1 + (k * Speed * LongStep)));
-        return table;
     }
 
     /// <summary>Draws the speed after one undivided step over its length, both as shares, to show where a method reverses and increases the speed.</summary>
@@ -63,35 +62,20 @@ internal static class Overshoot
     }
 
     /// <summary>Returns the least z at which one step of u̇ = −|u| u from u = 1 is wrong.</summary>
-    private static double First(Integrator method, Func<double, bool> wrong)
-    {
-        for (int i = 1; i <= 1000; i++)
-        {
-            double z = i * 0.01;
-            if (wrong(Step(method, z + 1e-9)))
-            {
-                return z;
-            }
-        }
-
-        return double.NaN;
-    }
+    private static double First(Integrator method, Func<double, bool> wrong) =>
+        Enumerable.Range(1, 1000).Select(i => i * 0.01).FirstOrDefault(z => wrong(Step(method, z + 1e-9)), double.NaN);
 
     private static double Step(Integrator method, double h)
     {
         static double F(double u) => -Math.Abs(u) * u;
         double k1 = F(1);
-        switch (method)
+        double k2 = F(1 + (0.5 * h * k1));
+        double k3 = F(1 + (0.5 * h * k2));
+        return method switch
         {
-            case Integrator.Rk2:
-                return 1 + (h * F(1 + (0.5 * h * k1)));
-            case Integrator.Rk4:
-                double k2 = F(1 + (0.5 * h * k1));
-                double k3 = F(1 + (0.5 * h * k2));
-                double k4 = F(1 + (h * k3));
-                return 1 + (h / 6 * (k1 + (2 * k2) + (2 * k3) + k4));
-            default:
-                return 1 + (h * k1);
-        }
+            Integrator.Rk2 => 1 + (h * k2),
+            Integrator.Rk4 => 1 + (h / 6 * (k1 + (2 * k2) + (2 * k3) + F(1 + (h * k3)))),
+            _ => 1 + (h * k1),
+        };
     }
 }

@@ -23,27 +23,17 @@ internal static class StateCheck
         }
 
         double size = Math.Abs(after.Orientation.LengthSquared - 1);
-        if (size > 1e-9)
-        {
-            frame.Find("orientation", size, $"size² {after.Orientation.LengthSquared}");
-        }
+        frame.FindIf(size > 1e-9, "orientation", size, $"size² {after.Orientation.LengthSquared}");
 
         double depth = frame.Contact - after.Position.Y;
-        if (depth > frame.Touching)
-        {
-            frame.FindMild($"penetration, {method}", depth, $"{before.Motion} to {after.Motion}");
-        }
+        frame.FindMildIf(depth > frame.Touching, $"penetration, {method}", depth, $"{before.Motion} to {after.Motion}");
 
-        if (after.Motion != MotionState.Airborne && (depth != 0 || after.Velocity.Y != 0))
-        {
-            frame.Find("on the ground but not at it", 1, $"{after.Motion}, {-depth} m above, {after.Velocity.Y} m/s");
-        }
+        frame.FindIf(
+            after.Motion != MotionState.Airborne && (depth != 0 || after.Velocity.Y != 0), "on the ground but not at it", 1,
+            $"{after.Motion}, {-depth} m above, {after.Velocity.Y} m/s");
 
         double late = Math.Abs(after.Time - (before.Time + frame.Length));
-        if (late > 4 * StressFrame.Ulp(after.Time))
-        {
-            frame.Find("clock", late, $"{before.Time} to {after.Time}");
-        }
+        frame.FindIf(late > 4 * StressFrame.Ulp(after.Time), "clock", late, $"{before.Time} to {after.Time}");
 
         return true;
     }
@@ -61,47 +51,39 @@ internal static class StateCheck
         ref readonly BallState after = ref frame.After;
         ForceSet forces = scene.Scene.Forces;
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne;
-        if (flies && Vector3d.Dot(before.Spin, after.Spin) < 0)
-        {
-            frame.Find("spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
-        }
+        frame.FindIf(flies && Vector3d.Dot(before.Spin, after.Spin) < 0, "spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
 
         // The remainder of a spin that has ended is rounding.
-        if (before.Spin.Y * after.Spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y)
-        {
-            frame.Find("spin about the vertical reversed", 1, $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
-        }
+        frame.FindIf(
+            before.Spin.Y * after.Spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y, "spin about the vertical reversed", 1,
+            $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
 
         if (scene.Windy)
         {
             return;
         }
 
-        if (flies && scene.Upward == 0 && forces.Magnus == ForceLaw.None && Vector3d.Dot(before.Velocity, after.Velocity) < 0)
-        {
-            frame.Find("velocity reversed by drag", 1, $"{before.Velocity} to {after.Velocity}, {scene.Settings.Integrator}");
-        }
+        frame.FindIf(
+            flies && scene.Upward == 0 && forces.Magnus == ForceLaw.None && Vector3d.Dot(before.Velocity, after.Velocity) < 0, "velocity reversed by drag", 1,
+            $"{before.Velocity} to {after.Velocity}, {scene.Settings.Integrator}");
 
         bool straight = forces.Magnus == ForceLaw.None || scene.Scene.Ground.Aerodynamics == GroundAerodynamics.None;
-        if (straight && before.Motion == MotionState.Rolling && after.Motion == MotionState.Rolling && Vector3d.Dot(before.Velocity, after.Velocity) < -1e-20)
-        {
-            frame.Find("roll reversed", 1, $"{before.Velocity} to {after.Velocity}");
-        }
+        frame.FindIf(
+            straight && before.Motion == MotionState.Rolling && after.Motion == MotionState.Rolling && Vector3d.Dot(before.Velocity, after.Velocity) < -1e-20, "roll reversed", 1,
+            $"{before.Velocity} to {after.Velocity}");
 
         double growth = (after.Spin.Length / before.Spin.Length) - 1;
-        if (before.Motion == MotionState.Airborne && forces.SpinDecay != ForceLaw.None && growth > 1e-14)
-        {
-            frame.Find("spin grew in flight", growth, $"{before.Spin} to {after.Spin}");
-        }
+        frame.FindIf(
+            before.Motion == MotionState.Airborne && forces.SpinDecay != ForceLaw.None && growth > 1e-14, "spin grew in flight", growth,
+            $"{before.Spin} to {after.Spin}");
     }
 
     /// <summary>Checks the work of a frame, in evaluations: a clock also counts other programs.</summary>
     public static void Work(StressFrame frame)
     {
-        if (frame.Log.Evaluations > MostEvaluations)
-        {
-            frame.FindMild($"long frame of {(frame.Length >= 1 ? "a second or more" : "less than a second")}", frame.Log.Evaluations, $"{frame.Log.Steps} pieces, {frame.Log.Events.Count} events");
-        }
+        frame.FindMildIf(
+            frame.Log.Evaluations > MostEvaluations, $"long frame of {(frame.Length >= 1 ? "a second or more" : "less than a second")}", frame.Log.Evaluations,
+            $"{frame.Log.Steps} pieces, {frame.Log.Events.Count} events");
     }
 
     /// <summary>Checks that a frame creates no more energy than the method's own error. Skips the measured laws: their error is unbounded.</summary>

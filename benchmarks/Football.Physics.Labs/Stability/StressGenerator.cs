@@ -1,5 +1,4 @@
 using FootballPhysics.Scenes;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;
 
@@ -44,27 +43,9 @@ internal static class StressGenerator
         };
         ForceSet forces = Forces(random, kind);
         forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, ball.MostDamping) };
-        if (kind == StressKind.ComesToRest && forces.Buoyancy)
-        {
-            // The ball must be heavier than the air.
-            forces = forces with { Buoyancy = Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
-        }
-
-        if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
-        {
-            // With a lift proportional to the speed and a drag proportional to its square, a ball can sink arbitrarily slowly. Methods of low order lengthen a velocity
-            // that they turn, which keeps a ball bouncing.
-            forces = forces with { Magnus = ForceLaw.Empirical };
-        }
-
-        if (kind == StressKind.ComesToRest && forces.Magnus != ForceLaw.None && forces.SpinDecay != ForceLaw.Empirical)
-        {
-            // Lift supports a ball that keeps its spin: it sinks as slowly as its drag allows, and without drag not at all.
-            forces = forces with { SpinDecay = ForceLaw.Empirical };
-        }
-
+        forces = kind == StressKind.ComesToRest ? Sinking(forces, ball, air) : forces;
         var scene = Scene.Published with { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
-        Launch(random, kind, scene, out Vector3d position, out Vector3d velocity, out Vector3d spin);
+        (Vector3d position, Vector3d velocity, Vector3d spin) = Launch(random, kind, scene);
         double[] frames = Frames(random, kind);
         var made = new StressScene
         {
@@ -192,82 +173,130 @@ internal static class StressGenerator
         };
     }
 
-    private static double[] Frames(SeededRandom random, StressKind kind)
+    /// <summary>Returns the forces with which a ball sinks, so that it comes to rest.</summary>
+    private static ForceSet Sinking(ForceSet forces, BallProperties ball, Air air)
     {
-        switch (kind)
-        {
-            case StressKind.ShortSteps:
-                return Enumerable.Repeat(random.Log(1e-6, 1e-3), 200).ToArray();
-            case StressKind.LongSteps:
-                return Enumerable.Repeat(random.Uniform(0.1, 1), 40).ToArray();
-            case StressKind.IrregularFrames:
-                return [.. Enumerable.Range(0, 60).Select(_ => random.Below(8) switch
-                {
-                    0 => 0,
-                    1 => double.Epsilon * (1 + random.Below(1000)),
-                    2 => 5,
-                    3 => random.Log(1e-12, 1),
-                    _ => random.Uniform(0.002, 0.04),
-                })];
-            case StressKind.ComesToRest:
-                return [random.Log(0.005, 0.5)];
-            case StressKind.BounceTrain or StressKind.Absurd:
-                return Enumerable.Repeat(random.Any(0.01, 1.0 / 60, random.Log(1e-4, 0.02)), 40).ToArray();
-            default:
-                return Enumerable.Repeat(random.Any(0.01, 1.0 / 60, 0.04, random.Log(1e-3, 0.1)), 150).ToArray();
-        }
+        // The ball must be heavier than the air.
+        forces = forces with { Buoyancy = forces.Buoyancy && Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
+
+        // With a lift proportional to the speed and a drag proportional to its square, a ball can sink arbitrarily slowly. Methods of low order lengthen a velocity
+        // that they turn, which keeps a ball bouncing.
+        forces = forces.Magnus == ForceLaw.Constant ? forces with { Magnus = ForceLaw.Empirical } : forces;
+
+        // Lift supports a ball that keeps its spin: it sinks as slowly as its drag allows, and without drag not at all.
+        return forces.Magnus != ForceLaw.None ? forces with { SpinDecay = ForceLaw.Empirical } : forces;
     }
 
-    private static void Launch(SeededRandom random, StressKind kind, Scene scene, out Vector3d position, out Vector3d velocity, out Vector3d spin)
+    private static double[] Frames(SeededRandom random, StressKind kind)
+    {
+        return kind switch
+        {
+            StressKind.ShortSteps => Even(random.Log(1e-6, 1e-3), 200),
+            StressKind.LongSteps => Even(random.Uniform(0.1, 1), 40),
+            StressKind.IrregularFrames => [.. Enumerable.Range(0, 60).Select(_ => random.Below(8) switch
+            {
+                0 => 0,
+                1 => double.Epsilon * (1 + random.Below(1000)),
+                2 => 5,
+                3 => random.Log(1e-12, 1),
+                _ => random.Uniform(0.002, 0.04),
+            })],
+            StressKind.ComesToRest => [random.Log(0.005, 0.5)],
+            StressKind.BounceTrain or StressKind.Absurd => Even(random.Any(0.01, 1.0 / 60, random.Log(1e-4, 0.02)), 40),
+            _ => Even(random.Any(0.01, 1.0 / 60, 0.04, random.Log(1e-3, 0.1)), 150),
+        };
+
+        static double[] Even(double length, int count) => [.. Enumerable.Repeat(length, count)];
+    }
+
+    private static (Vector3d Position, Vector3d Velocity, Vector3d Spin) Launch(SeededRandom random, StressKind kind, Scene scene)
     {
         double contact = scene.Ground.Height + scene.Ball.Radius;
         double up = random.Any(0, random.Log(1e-9, 1e-3), random.Uniform(0, 3), random.Uniform(0, 30));
         double speed = random.Any(random.Log(1e-3, 10), random.Uniform(0, 40), random.Uniform(0, 200));
         double spinRate = random.Any(0, random.Log(1e-3, 10), random.Uniform(0, 100), random.Uniform(0, 1000));
-        velocity = speed * random.Direction();
-        spin = spinRate * (random.Chance(0.2) ? random.Any(new Vector3d(1, 0, 0), Vector3d.Up, -1 * Vector3d.Up, new Vector3d(0, 0, 1)) : random.Direction());
-        switch (kind)
+        Vector3d velocity = speed * random.Direction();
+        Vector3d spin = spinRate * (random.Chance(0.2) ? random.Any(new Vector3d(1, 0, 0), Vector3d.Up, -1 * Vector3d.Up, new Vector3d(0, 0, 1)) : random.Direction());
+        (velocity, spin, up) = kind switch
         {
-            case StressKind.LaunchOnGround:
-                up = random.Any(0, -random.Uniform(0, 5), random.Log(1e-16, 1e-6), 0);
-                double threshold = scene.Ground.MinimumBounceSpeed;
-                velocity = new Vector3d(velocity.X, random.Any(0, threshold, -threshold, 0.999 * threshold, -0.999 * threshold, velocity.Y), velocity.Z);
-                velocity = random.Any(velocity, velocity, Vector3d.Zero, velocity.Horizontal);
-                break;
-            case StressKind.Grazing:
-                // The ball reaches the ground with almost no vertical speed, or just misses it.
-                up = random.Log(1e-12, 1e-2);
-                double fall = Math.Sqrt(2 * scene.Gravity * up);
-                velocity = (speed * random.Heading()) + new Vector3d(0, random.Any(0, -1e-9, -fall, fall, random.Uniform(-0.01, 0.01)), 0);
-                break;
-            case StressKind.BounceTrain:
-                velocity = new Vector3d(velocity.X, random.Any(0, random.Uniform(-3, 3), random.Log(1e-3, 1e-1)), velocity.Z);
-                up = random.Any(0, random.Log(1e-6, 1));
-                break;
-            case StressKind.SpinWithoutTravel:
-                velocity = random.Chance(0.7) ? Vector3d.Zero : random.Log(1e-12, 1e-6) * random.Direction();
-                up = random.Any(0, 0, up);
-                break;
-            case StressKind.GyroSpin:
-                spin = velocity * (spinRate / Math.Max(1e-3, speed) * random.Any(1, -1));
-                break;
-            case StressKind.SlidingMode:
-                speed = CriticalSpeed * random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 + random.Uniform(0, 0.8));
-                velocity = (speed * Unit(velocity)) + scene.Air.Wind;
-                double share = random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 - random.Log(1e-15, 1e-2), random.Uniform(0.5, 2));
-                spin = CriticalSpin * speed / scene.Ball.Radius * share * random.Direction();
-                up = random.Uniform(0, 30);
-                break;
-            default:
-                break;
+            StressKind.LaunchOnGround => OnGround(random.Any(0, -random.Uniform(0, 5), random.Log(1e-16, 1e-6), 0), scene.Ground.MinimumBounceSpeed),
+            StressKind.Grazing => Grazing(random.Log(1e-12, 1e-2)),
+            StressKind.BounceTrain => (Rising(random.Any(0, random.Uniform(-3, 3), random.Log(1e-3, 1e-1))), spin, random.Any(0, random.Log(1e-6, 1))),
+            StressKind.SpinWithoutTravel => (random.Chance(0.7) ? Vector3d.Zero : random.Log(1e-12, 1e-6) * random.Direction(), spin, random.Any(0, 0, up)),
+            StressKind.GyroSpin => (velocity, velocity * (spinRate / Math.Max(1e-3, speed) * random.Any(1, -1)), up),
+            StressKind.SlidingMode => AtJump(CriticalSpeed * random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 + random.Uniform(0, 0.8))),
+            _ => (velocity, spin, up),
+        };
+        var position = new Vector3d(random.Uniform(-60, 60), contact + up, random.Uniform(-60, 60));
+        double most = velocity.Length;
+        double mostSpin = spin.Length;
+        return (position, most > 200 ? velocity * (200 / most) : velocity, mostSpin > 1000 ? spin * (1000 / mostSpin) : spin);
+
+        Vector3d Rising(double rise) => new(velocity.X, rise, velocity.Z);
+
+        (Vector3d Velocity, Vector3d Spin, double Up) OnGround(double above, double threshold)
+        {
+            Vector3d rises = Rising(random.Any(0, threshold, -threshold, 0.999 * threshold, -0.999 * threshold, velocity.Y));
+            return (random.Any(rises, rises, Vector3d.Zero, rises.Horizontal), spin, above);
         }
 
-        position = new Vector3d(random.Uniform(-60, 60), contact + up, random.Uniform(-60, 60));
-        double most = velocity.Length;
-        velocity = most > 200 ? velocity * (200 / most) : velocity;
-        double mostSpin = spin.Length;
-        spin = mostSpin > 1000 ? spin * (1000 / mostSpin) : spin;
+        // The ball reaches the ground with almost no vertical speed, or just misses it.
+        (Vector3d Velocity, Vector3d Spin, double Up) Grazing(double height)
+        {
+            double fall = Math.Sqrt(2 * scene.Gravity * height);
+            return ((speed * random.Heading()) + new Vector3d(0, random.Any(0, -1e-9, -fall, fall, random.Uniform(-0.01, 0.01)), 0), spin, height);
+        }
+
+        (Vector3d Velocity, Vector3d Spin, double Up) AtJump(double fast)
+        {
+            double share = random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 - random.Log(1e-15, 1e-2), random.Uniform(0.5, 2));
+            return ((fast * Unit(velocity)) + scene.Air.Wind, CriticalSpin * fast / scene.Ball.Radius * share * random.Direction(), random.Uniform(0, 30));
+        }
     }
 
     private static Vector3d Unit(Vector3d v) => v.Length > 0 ? v / v.Length : new Vector3d(1, 0, 0);
+}
+
+/// <summary>Scenes of the stress matrix with the measured laws: one of the balls, and ground with impact friction, drilling friction and the complete air force.</summary>
+internal static class MeasuredStress
+{
+    /// <summary>The drag curves, by the names that scenarios use for their balls.</summary>
+    public static IReadOnlyList<(string Type, DragCurve Curve)> Curves { get; } =
+    [
+        ("generic", DragCurve.Generic), ("tango12", DragCurve.Tango12), ("teamgeist", DragCurve.Teamgeist), ("jabulani", DragCurve.Jabulani),
+        ("brazuca", DragCurve.Brazuca),
+    ];
+
+    /// <summary>Returns the same shot in a scene of the measured profile.</summary>
+    public static StressScene Of(StressScene scene, long seed, long index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, ~index));
+        Ground ground = scene.Scene.Ground;
+        if (scene.Kind != StressKind.ComesToRest)
+        {
+            // If rest is guaranteed, keep the numbers that the guarantee depends on.
+            ground = ground with
+            {
+                Material = ground.Material with
+                {
+                    RestitutionSpeedScale = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
+                    ImpactFriction = random.Any(0, double.PositiveInfinity, random.Log(0.01, 3)),
+                    RollingResistancePerSpeed = random.Any(0, random.Log(1e-4, 0.1)),
+                    TorsionalPatchRadius = random.Any(0, random.Log(1e-4, 0.1)),
+                },
+                Aerodynamics = GroundAerodynamics.Full,
+                TangentialRestitutionZ = null,
+            };
+        }
+
+        return scene with
+        {
+            Scene = scene.Scene with
+            {
+                Ball = scene.Scene.Ball with { DragCurve = Curves[random.Below(Curves.Count)].Curve },
+                Forces = scene.Scene.Forces with { Coefficients = AerodynamicModel.Measured },
+                Ground = ground,
+            },
+        };
+    }
 }

@@ -89,3 +89,79 @@ internal sealed record StressScene
         return char.ToLowerInvariant(name[0]) + name[1..];
     }
 }
+
+/// <summary>The kinds of scenes, which are the rows of the stress matrix.</summary>
+internal enum StressKind
+{
+    /// <summary>Any shot: 0 to 200 m/s, spin 0 to 1000 rad/s about any axis, any allowed ground and laws, frames of 1 to 100 ms.</summary>
+    AnyShot,
+
+    /// <summary>Frames of 1 µs to 1 ms.</summary>
+    ShortSteps,
+
+    /// <summary>Frames of 0.1 to 1 s.</summary>
+    LongSteps,
+
+    /// <summary>Frames of any length, including 0, denormal lengths, and hitches of 5 s.</summary>
+    IrregularFrames,
+
+    /// <summary>Wind of 20 to 80 m/s from any direction, including from above and below.</summary>
+    Hurricane,
+
+    /// <summary>Launches at, on and under the ground, slow and fast.</summary>
+    LaunchOnGround,
+
+    /// <summary>Balls that graze the ground.</summary>
+    Grazing,
+
+    /// <summary>Normal restitution near 1, and the minimum bounce speed as low as allowed.</summary>
+    BounceTrain,
+
+    /// <summary>Spin without travel, in the air and on the ground.</summary>
+    SpinWithoutTravel,
+
+    /// <summary>Spin along the flight.</summary>
+    GyroSpin,
+
+    /// <summary>Shots at the drag law's jump, which has sliding modes.</summary>
+    SlidingMode,
+
+    /// <summary>Balls that must come to rest within a stated time.</summary>
+    ComesToRest,
+
+    /// <summary>Numbers far outside football: zero mass, zero size, zero gravity, gravity of 1e6, air like mercury.</summary>
+    Absurd,
+}
+
+/// <summary>Measures by how many decades a scene lies outside the numbers of ordinary balls, grounds and kicks.</summary>
+internal static class Absurdity
+{
+    public static double Of(StressScene scene)
+    {
+        BallProperties ball = scene.Scene.Ball;
+        Air air = scene.Scene.Air;
+        Ground ground = scene.Scene.Ground;
+        ForceSet forces = scene.Scene.Forces;
+        SolverSettings settings = scene.Settings;
+        double decades = Outside(ball.Mass, 0.05, 5) + Outside(ball.Radius, 0.05, 0.3) + Outside(ball.InertiaFactor, 0.3, 1)
+            + Outside(scene.Scene.Gravity, 1, 30)
+            + Outside(air.Density, 0.5, 2) + Outside(air.KinematicViscosity, 1e-5, 3e-5) + Outside(air.Wind.Length, 1e-6, 30)
+            + Outside(scene.Velocity.Length, 1e-3, 60) + Outside(scene.Spin.Length, 1e-3, 200)
+            + (scene.HasOwnForces ? 2 : 0)
+            + (settings.Integrator != Integrator.Rk4 ? 0.5 : 0)
+            + (settings.CollisionTiming == CollisionTiming.Bisection ? 0.5 + Outside(settings.CollisionTolerance, 1e-9, 1e-3) : 0);
+        decades += forces.Drag == ForceLaw.Constant ? Outside(forces.DragCoefficient, 0.01, 2) : 0;
+        decades += forces.Magnus == ForceLaw.Constant ? Outside(forces.MagnusCoefficient, 0.01, 2) : 0;
+        decades += forces.SpinDecay == ForceLaw.Constant ? Outside(forces.SpinDecayCoefficient, 1e-6, 1e-2) : 0;
+        decades += 0.2 * (Outside(ground.Height, 1e-9, 1e4) + Outside(scene.Position.Length, 1e-9, 1e4));
+        decades += 0.3 * (Outside(ground.Material.SlidingFriction, 0.01, 2) + Outside(ground.Material.RollingResistance, 0.001, 1) + Outside(ground.MinimumBounceSpeed, 0.001, 1));
+        return decades;
+    }
+
+    /// <summary>Returns the decades by which a value lies outside a range; 0 is always ordinary.</summary>
+    public static double Outside(double value, double low, double high)
+    {
+        double size = Math.Abs(value);
+        return size == 0 ? 0 : size < low ? Math.Log10(low / size) : size > high ? Math.Log10(size / high) : 0;
+    }
+}

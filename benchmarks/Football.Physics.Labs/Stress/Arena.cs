@@ -1,5 +1,5 @@
 using FootballPhysics.Labs.People;
-using FootballPhysics.Yardsticks;
+using FootballPhysics.Labs.Stability;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -21,9 +21,8 @@ internal sealed class Arena
     private readonly WalkingPlayer[] _players;
     private readonly Vector3d[] _homes;
     private readonly KinematicBody[] _cones;
-    private readonly StadiumSpheres? _spheres;
+    private readonly StadiumSpheres _spheres;
     private readonly bool _spheresStand;
-    private readonly WatchedColliders? _watched;
     private readonly ArenaKicks _kicks;
     private readonly BallGroup? _group;
     private readonly double _halfWidth;
@@ -67,17 +66,15 @@ internal sealed class Arena
         }
 
         bool sphereWeighs = _random.Chance(0.3);
-        _spheres = _random.Chance(0.5)
-            ? new StadiumSpheres(1 + _random.Below(6), _random, _halfWidth, _halfLength, sphereWeighs ? _random.Log(0.5, 50) : double.PositiveInfinity)
-            : null;
+        int spheres = _random.Chance(0.5) ? 1 + _random.Below(6) : 0;
+        _spheres = new StadiumSpheres(spheres, _random, _halfWidth, _halfLength, spheres > 0 && sphereWeighs ? _random.Log(0.5, 50) : double.PositiveInfinity);
         _spheresStand = !sphereWeighs;
         Scene scene = pitch.On(AnyAir());
         List<Obstacle> obstacles = Obstacles();
         _kicks = new ArenaKicks(_random, 0.5 * pitch.Width, 0.5 * pitch.Length, pitch.Goal);
         int balls = _random.Chance(0.4) ? 1 : 1 + _random.Below(5);
         bool isGroup = balls > 1 || _random.Chance(0.3);
-        _watched = _spheres is not null || isGroup ? new WatchedColliders(_spheres) : null;
-        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = _watched };
+        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = spheres > 0 || isGroup ? _spheres : null };
         Simulator = new Simulator(Scene);
         Radius = Scene.Ball.Radius;
         _group = isGroup ? new BallGroup(Simulator, balls) : null;
@@ -114,7 +111,7 @@ internal sealed class Arena
 
     /// <summary>Returns the distance of a point from the objects that never move, in closed form.</summary>
     public double ToStanding(Vector3d point) =>
-        Math.Min(_standing.Distance(point), _spheresStand && _spheres is not null ? _spheres.ToStanding(point) : double.PositiveInfinity);
+        Math.Min(_standing.Distance(point), _spheresStand ? _spheres.ToStanding(point) : double.PositiveInfinity);
 
     /// <summary>True if a point is behind a board, or above them.</summary>
     public bool IsOutside(Vector3d point) => Math.Abs(point.X) > _halfWidth || Math.Abs(point.Z) > _halfLength || point.Y > High;
@@ -138,16 +135,13 @@ internal sealed class Arena
             cone.MoveTo(cone.Position, cone.Velocity, Time);
         }
 
-        if (_watched is not null)
-        {
-            _watched.Time = Time;
-        }
+        _spheres.Time = Time;
     }
 
     /// <summary>Steps all balls once.</summary>
     public void Step(double frame, StepLog log)
     {
-        _watched?.Begin();
+        _spheres.Begin();
         if (_group is not null)
         {
             _group.Step(Balls, frame, log);
@@ -164,7 +158,7 @@ internal sealed class Arena
     /// <summary>Computes the paths of all balls for a duration.</summary>
     public void LookAhead(double step, Trajectory[] into, double duration)
     {
-        _watched?.Begin();
+        _spheres.Begin();
         var request = new LookAheadRequest { TimeStep = step, Duration = duration, StopAt = StopAt.Time };
         if (_group is not null)
         {
@@ -207,7 +201,7 @@ internal sealed class Arena
         }
 
         MoveRest(frame);
-        _spheres?.Stop();
+        _spheres.Stop();
     }
 
     private void MoveRest(double frame)
@@ -220,7 +214,7 @@ internal sealed class Arena
             cone.MoveTo((cone.Position + (frame * v)).Horizontal, kept * v, Time);
         }
 
-        _spheres?.Move(frame);
+        _spheres.Move(frame);
     }
 
     private static void Run(WalkingPlayer player, Vector3d to, double stops, double frame)
@@ -228,9 +222,7 @@ internal sealed class Arena
         Vector3d way = (to - player.Place).Horizontal;
         double far = way.Length - stops;
         Vector3d wanted = far > 0 ? Math.Min(8, 4 * far) / way.Length * way : Vector3d.Zero;
-        Vector3d change = wanted - player.Velocity;
-        double most = 9 * frame;
-        player.Velocity += change.Length > most ? most / change.Length * change : change;
+        player.Accelerate(wanted, 9 * frame);
     }
 
     private Simulator SimulatorOf(int ball) => _group?.SimulatorOf(ball) ?? Simulator;
@@ -256,15 +248,12 @@ internal sealed class Arena
             {
                 var half = new Vector3d(_random.Uniform(0.05, 1), _random.Uniform(0.1, 1), _random.Uniform(0.05, 1));
                 Vector3d center = foot + new Vector3d(0, half.Y, 0);
-                _standing.AddBox(center, half);
-                all.Add(new Obstacle { Name = "box", Shape = new BoxShape(center, half), Surface = SurfaceMaterial.Wood });
+                all.Add(_standing.Box("box", center, half, SurfaceMaterial.Wood));
             }
             else
             {
                 Vector3d tip = foot + new Vector3d(_random.Uniform(-0.5, 0.5), _random.Uniform(0.5, 2), _random.Uniform(-0.5, 0.5));
-                double radius = _random.Uniform(0.02, 0.2);
-                _standing.AddRod(foot, tip, radius);
-                all.Add(new Obstacle { Name = "rod", Shape = new CapsuleShape(foot, tip, radius) });
+                all.Add(_standing.Rod("rod", foot, tip, _random.Uniform(0.02, 0.2)));
             }
         }
 
@@ -280,7 +269,7 @@ internal sealed class Arena
         while (true)
         {
             Vector3d at = Somewhere(0.5) + new Vector3d(0, _random.Chance(0.5) ? Radius : _random.Uniform(Radius, 2), 0);
-            bool isFree = ToStanding(at) >= Radius && (_spheres?.Distance(at, 0) ?? 1) > Radius && Balls.Take(index).All(ball => (ball.Position - at).Length > 3 * Radius)
+            bool isFree = ToStanding(at) >= Radius && _spheres.Distance(at, 0) > Radius && Balls.Take(index).All(ball => (ball.Position - at).Length > 3 * Radius)
                 && _players.All(player => player.Distance(at, 0) > Radius) && _cones.All(cone => (cone.Position - at).Horizontal.Length > 1);
             if (isFree)
             {
@@ -288,4 +277,45 @@ internal sealed class Arena
             }
         }
     }
+}
+
+/// <summary>Draws the kicks of an arena: at goals, into nets and corners, touches, lobs, and launches of hostile scenes at speeds of a game.</summary>
+internal sealed class ArenaKicks(SeededRandom random, double halfWidth, double halfLength, Goal goal)
+{
+    private const double Fastest = 45;
+
+    /// <summary>The spin of a hostile launch is cut to this size, rad/s.</summary>
+    private const double MostSpin = 200;
+
+    /// <summary>A kick of a ball at a position.</summary>
+    public (Vector3d Velocity, Vector3d Spin) Draw(Vector3d ball)
+    {
+        double end = random.Chance(0.5) ? -1 : 1;
+        Vector3d spin = random.Chance(0.4) ? Vector3d.Zero : random.Uniform(0, 80) * random.Direction();
+        return random.Below(8) switch
+        {
+            0 or 1 => (At(ball, new Vector3d(random.Uniform(-0.7, 0.7) * goal.Width, random.Uniform(0.11, 1.2) * goal.Height, end * halfLength), random.Uniform(4, 36)), spin),
+            2 => (At(ball, new Vector3d((random.Chance(0.5) ? -1 : 1) * halfWidth, 0.11, end * halfLength), random.Uniform(2, 30)), spin),
+            3 => (At(ball, new Vector3d((random.Chance(0.5) ? -0.5 : 0.5) * goal.Width, random.Uniform(0.11, goal.Height), end * halfLength), random.Uniform(3, 30)), spin),
+            4 => (random.Uniform(0.1, 4) * random.Heading(), spin),
+            5 => (random.Velocity(6, 20, 30, 75), spin),
+            6 => Hostile(),
+            _ => (random.Uniform(0.5, 25) * random.Direction(), spin),
+        };
+    }
+
+    private static Vector3d At(Vector3d ball, Vector3d target, double speed)
+    {
+        Vector3d way = target - ball;
+        double lift = way.Length > 1 ? Math.Min(8, 0.5 * 9.81 * way.Length / speed) : 0;
+        return (speed / Math.Max(way.Length, 0.1) * way) + new Vector3d(0, target.Y > 0.2 ? lift : 0, 0);
+    }
+
+    private (Vector3d Velocity, Vector3d Spin) Hostile()
+    {
+        StressScene scene = HostileGenerator.Make((ulong)random.Below(int.MaxValue));
+        return (Cut(scene.Velocity, Fastest), Cut(scene.Spin, MostSpin));
+    }
+
+    private static Vector3d Cut(Vector3d vector, double most) => vector.Length > most ? most / vector.Length * vector : vector;
 }

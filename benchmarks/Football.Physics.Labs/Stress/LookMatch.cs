@@ -1,10 +1,14 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Simulates one match twice: alone, and with paths, aims, interceptions and a kept prediction between its ticks.</summary>
-internal sealed class LookMatch(long seed, long index)
+/// <param name="seed">The seed of all matches.</param>
+/// <param name="index">The number of the match.</param>
+/// <param name="counts">The counts of all matches.</param>
+internal sealed class LookMatch(long seed, long index, LabCounts counts)
 {
+    public static readonly string[] Columns =
+        ["ticks", "paths", "aims", "hits", "interceptions", "saves", "cache updates", "recomputed", "ticks that differ", "exceptions"];
+
     private const double Tick = 1 / 60.0;
 
     /// <summary>The number of ticks between two aims, and between two interceptions.</summary>
@@ -14,33 +18,12 @@ internal sealed class LookMatch(long seed, long index)
     private readonly SeededRandom _looks = new(SeededRandom.Mix(seed, index + 1_000_003));
     private readonly Interception _interception = new();
 
-    public long Ticks { get; private set; }
-
-    public long Paths { get; private set; }
-
-    public long Aims { get; private set; }
-
-    public long Hits { get; private set; }
-
-    public long Interceptions { get; private set; }
-
-    public long Saves { get; private set; }
-
-    public long Updates { get; private set; }
-
-    public long Recomputed { get; private set; }
-
-    /// <summary>The number of ticks with different hashes or events.</summary>
-    public long Differ { get; private set; }
-
-    /// <summary>The first of these ticks.</summary>
-    public string FirstAt { get; private set; } = "";
-
-    /// <summary>True if a step or a query threw.</summary>
-    public bool Throws { get; private set; }
+    private long _ticks;
+    private string _firstAt = "";
 
     /// <summary>Simulates both matches.</summary>
-    public void Play(double seconds)
+    /// <returns>The first tick with other hashes or events, or the exception that a step or a query threw; empty if there is neither.</returns>
+    public string Play(double seconds)
     {
         try
         {
@@ -48,9 +31,12 @@ internal sealed class LookMatch(long seed, long index)
         }
         catch (Exception e) when (e is not OutOfMemoryException)
         {
-            Throws = true;
-            FirstAt = FormattableString.Invariant($"match {index}, tick {Ticks}: {e.GetType().Name}: {e.Message} {e.StackTrace?.Split('\n')[0].Trim()}");
+            counts.Add("exceptions");
+            _firstAt = FormattableString.Invariant($"match {index}, tick {_ticks}: {e.GetType().Name}: {e.Message} {e.StackTrace?.Split('\n')[0].Trim()}");
         }
+
+        counts.Add("ticks", _ticks);
+        return _firstAt;
     }
 
     private void Compare(double seconds)
@@ -67,18 +53,18 @@ internal sealed class LookMatch(long seed, long index)
             Look(looked, paths, aimer, cache);
             Step(plain, log);
             Step(looked, lookedLog);
-            Ticks++;
+            _ticks++;
             bool same = Snapshot.Hash(plain.Balls) == Snapshot.Hash(looked.Balls) && log.Events.Count == lookedLog.Events.Count;
-            Differ += same ? 0 : 1;
-            if (!same && FirstAt.Length == 0)
+            counts.AddIf(!same, "ticks that differ");
+            if (!same && _firstAt.Length == 0)
             {
                 int ball = Enumerable.Range(0, plain.Balls.Length).FirstOrDefault(k => !Snapshot.Same(in plain.Balls[k], in looked.Balls[k]), 0);
                 StateDifference? field = Snapshot.Difference(in plain.Balls[ball], in looked.Balls[ball]);
-                FirstAt = FormattableString.Invariant($"match {index}, {plain.Time} s, ball {ball} of {plain.Balls.Length}, {(plain.IsGroup ? "group" : "alone")}: {field}");
+                _firstAt = FormattableString.Invariant($"match {index}, {plain.Time} s, ball {ball} of {plain.Balls.Length}, {(plain.IsGroup ? "group" : "alone")}: {field}");
             }
         }
 
-        Recomputed = cache.Recomputations;
+        counts.Add("recomputed", cache.Recomputations);
     }
 
     private static void Step(Arena arena, StepLog log)
@@ -102,28 +88,28 @@ internal sealed class LookMatch(long seed, long index)
     {
         arena.Put();
         arena.LookAhead(_looks.Any(Tick, 0.04, 0.08), paths, _looks.Uniform(0.1, 2));
-        Paths += paths.Length;
+        counts.Add("paths", paths.Length);
         int ball = _looks.Below(arena.Balls.Length);
         if (arena.Balls.Length == 1)
         {
-            Updates++;
+            counts.Add("cache updates");
             cache.Update(in arena.Balls[0]);
         }
 
-        if (Ticks % PerInterception == 0)
+        if (_ticks % PerInterception == 0)
         {
             Vector3d at = arena.Balls[ball].Position.Horizontal;
             Player[] runners = [.. Enumerable.Range(0, 3).Select(_ => new Player { Position = at + (_looks.Uniform(0.5, 8) * _looks.Heading()), Velocity = _looks.Uniform(0, 6) * _looks.Heading() })];
             _interception.Find(paths[ball], runners);
             _interception.FindFirst(paths[ball], runners, out _);
-            Interceptions++;
+            counts.Add("interceptions");
             Goal goal = arena.Scene.Goals[_looks.Below(arena.Scene.Goals.Count)];
             var keeper = new Player { Position = goal.Center, Reach = 1, MaximumHeight = 2.7 };
             _interception.FindSave(paths[ball], in keeper, goal);
-            Saves++;
+            counts.Add("saves");
         }
 
-        if (Ticks % PerAim == 0)
+        if (_ticks % PerAim == 0)
         {
             Goal goal = arena.Scene.Goals[_looks.Below(arena.Scene.Goals.Count)];
             var request = new AimRequest
@@ -132,8 +118,8 @@ internal sealed class LookMatch(long seed, long index)
                 Target = goal.Center + new Vector3d(_looks.Uniform(-0.4, 0.4) * goal.Width, _looks.Uniform(0.2, 0.9) * goal.Height, 0),
                 Speed = _looks.Uniform(8, 32),
             };
-            Hits += aimer.Find(request).HitsTarget ? 1 : 0;
-            Aims++;
+            counts.AddIf(aimer.Find(request).HitsTarget, "hits");
+            counts.Add("aims");
         }
     }
 }

@@ -1,6 +1,5 @@
 using FootballPhysics.Labs.Goals;
 using FootballPhysics.Labs.People;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -43,9 +42,11 @@ internal sealed class MatchPlay
     private readonly Trajectory[] _paths;
     private readonly GoalWatch[][] _watches;
     private readonly MatchOutcome _outcome;
+    private readonly LabCounts _counts;
 
-    private MatchPlay(long seed, long index)
+    private MatchPlay(long seed, long index, LabCounts counts)
     {
+        _counts = counts;
         _arena = new Arena(SeededRandom.Mix(seed, index));
         _frames = new SeededRandom(SeededRandom.Mix(seed, ~index));
         _frameKind = _frames.Below(4);
@@ -53,12 +54,18 @@ internal sealed class MatchPlay
         _paths = [.. _arena.Balls.Select(_ => new Trajectory(PathPieces))];
         _watches = [.. _arena.Balls.Select(_ => _arena.Scene.Goals.Select(goal => new GoalWatch(goal, _arena.Radius)).ToArray())];
         _outcome = new MatchOutcome(index) { Balls = _arena.Balls.Length };
+        _counts.Add("matches");
+        _counts.Add("balls", _arena.Balls.Length);
     }
 
     /// <summary>Simulates a match and the time until its balls rest.</summary>
-    public static MatchOutcome Play(long seed, long index, double seconds)
+    /// <param name="seed">The seed of all matches.</param>
+    /// <param name="index">The number of the match.</param>
+    /// <param name="seconds">Its length, s.</param>
+    /// <param name="counts">The counts of all matches.</param>
+    public static MatchOutcome Play(long seed, long index, double seconds, LabCounts counts)
     {
-        var play = new MatchPlay(seed, index);
+        var play = new MatchPlay(seed, index, counts);
         try
         {
             play.Match(seconds);
@@ -87,8 +94,8 @@ internal sealed class MatchPlay
             {
                 if (_arena.Decide(ball, frame) is { } kick)
                 {
-                    _outcome.Kicks++;
-                    _outcome.KicksInNets += _arena.Balls[ball].Nets != 0 ? 1 : 0;
+                    _counts.Add("kicks");
+                    _counts.AddIf(_arena.Balls[ball].Nets != 0, "of balls in nets");
                     _arena.Kick(ball, kick.Velocity, kick.Spin);
                     BeginWatches(ball);
                 }
@@ -122,7 +129,7 @@ internal sealed class MatchPlay
             return;
         }
 
-        _outcome.LatestRest = _arena.Time - end;
+        _counts.Most("latest rest, s", _arena.Time - end);
         for (int ball = 0; ball < _arena.Balls.Length; ball++)
         {
             BallState state = _arena.Balls[ball];
@@ -131,7 +138,7 @@ internal sealed class MatchPlay
                 continue;
             }
 
-            _outcome.Resting++;
+            _counts.Add("balls that must rest");
             _outcome.See(MatchClaim.Rests, 0, IsAtRest(state), $"ball {ball} of {_arena.Balls.Length}, wind {_arena.Scene.Air.Wind}: {state.ToString("R", null)}");
         }
     }
@@ -145,18 +152,13 @@ internal sealed class MatchPlay
         FormattableString at = $"{_arena.Time} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}";
         _log.Clear();
         _arena.Step(frame, _log);
-        _outcome.Steps++;
+        _counts.Add("steps");
         int balls = _arena.Balls.Length;
         int evaluations = (int)Math.Min((_log.Evaluations + balls - 1) / balls, int.MaxValue);
         _outcome.Evaluations.Add(evaluations);
-        if (evaluations > _outcome.MostEvaluations)
-        {
-            _outcome.MostEvaluations = evaluations;
-            _outcome.MostEvaluationsAt = FormattableString.Invariant($"match {_outcome.Index}, {FormattableString.Invariant(at)}");
-        }
-
+        _outcome.MostEvaluations.See(evaluations, $"match {_outcome.Index}, {at}");
         _outcome.See(MatchClaim.Stalled, _log.StalledSteps, _log.StalledSteps == 0, at);
-        _outcome.UnreportedImpacts += _log.UnreportedImpacts;
+        _counts.Add("counted only", _log.UnreportedImpacts);
         Span<int> events = stackalloc int[balls];
         foreach (ref readonly BallEvent item in _log.Events)
         {
@@ -165,7 +167,7 @@ internal sealed class MatchPlay
 
         foreach (int count in events)
         {
-            _outcome.MostEvents = Math.Max(_outcome.MostEvents, count);
+            _counts.Most("most events", count);
             _outcome.See(MatchClaim.Events, count, count <= StepMeter.MostAllowed, at);
         }
 
@@ -174,16 +176,15 @@ internal sealed class MatchPlay
             ref readonly BallState ball = ref _arena.Balls[i];
             bool isFinite = ball.Position.IsFinite && ball.Velocity.IsFinite && ball.Spin.IsFinite && Math.Abs(ball.Orientation.LengthSquared - 1) < 1e-6;
             _outcome.See(MatchClaim.Finite, 0, isFinite, at);
-            _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{FormattableString.Invariant(at)}, ball {i} at {ball.Position}");
-            Deep(ball.Position, $"{FormattableString.Invariant(at)}, ball {i}, end, {ball.Motion}");
+            _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{at}, ball {i} at {ball.Position}");
+            Deep(ball.Position, $"{at}, ball {i}, end, {ball.Motion}");
         }
     }
 
     private void Deep(Vector3d point, FormattableString at)
     {
         double depth = _arena.Radius - _arena.ToStanding(point);
-        _outcome.Positions++;
-        if (depth > _outcome.Worst(MatchClaim.Inside) || depth > Entered)
+        if (depth > _outcome[MatchClaim.Inside].Worst || depth > Entered)
         {
             _outcome.See(MatchClaim.Inside, depth, depth <= Entered, at);
         }
@@ -198,7 +199,7 @@ internal sealed class MatchPlay
         if (!path.IsComplete || _log.StalledSteps > 0)
         {
             // A step at its limit leaves the ball where it is; its look-ahead may not. Restart the watches from here.
-            _outcome.Undecided++;
+            _counts.Add("not judged");
             BeginWatches(ball);
             return;
         }
@@ -237,11 +238,11 @@ internal sealed class MatchPlay
         }
 
         bool isOver = !wasOver && !double.IsInfinity(watch.Time);
-        _outcome.Goals += reported;
+        _counts.Add("goals", reported);
         if (watch.IsUndecided)
         {
             // The watch restarts with the next kick.
-            _outcome.Undecided += isOver || reported > 0 ? 1 : 0;
+            _counts.AddIf(isOver || reported > 0, "not judged");
             return;
         }
 

@@ -18,8 +18,8 @@ public sealed class TrackFitTests
             check.Run(new SeededRandom(SeededRandom.Mix(5, i)), also: false);
         }
 
-        Assert.InRange(check.Within, 8, 10);
-        Assert.Equal(0, check.Lost);
+        Assert.InRange(check.Counts["within"], 8, 10);
+        Assert.Equal(0, check.Counts["not converged"]);
     }
 
     [Fact]
@@ -31,8 +31,8 @@ public sealed class TrackFitTests
             check.Run(new SeededRandom(SeededRandom.Mix(5, i)), also: true);
         }
 
-        Assert.InRange(check.Within, 3, 4);
-        Assert.Equal(0, check.Lost);
+        Assert.InRange(check.Counts["within"], 3, 4);
+        Assert.Equal(0, check.Counts["not converged"]);
     }
 
     /// <summary>What the track alone says of the spin, and how surely, along its vaguest direction; then something else is known before, just as surely.</summary>

@@ -123,7 +123,7 @@ public sealed class EnergyCheckTests
             BallState after = before;
             var log = new StepLog();
             simulator.Step(ref after, dt, log);
-            return new Frame(new EnergyCheck(played.Scene, played.Settings, played.Upward, simulator), scene.Ball.Mass, dt, before, after, log.Events.Span.ToArray());
+            return new Frame(new EnergyCheck(played, simulator), scene.Ball.Mass, dt, before, after, log.Events.Span.ToArray());
         }
 
         public FrameEnergy Judge(BallState after) => Assert.NotNull(Check.Of(Before, Length, in after, Events));

@@ -53,7 +53,7 @@ public sealed class FuzzTests
         }
 
         Assert.Equal(2, run.Findings.Count);
-        Assert.Equal(40, run.Refused + run.Right + run.Findings.Values.Sum(found => found.Times));
+        Assert.Equal(40, run.Counts["refused"] + run.Counts["right"] + run.Findings.Values.Sum(found => found.Times));
         Assert.All(run.Findings, found => Assert.Equal(found.Key.StartsWith("DivideByZero", StringComparison.Ordinal) ? 3 : 2, run.Input(found.Value.Index)[0] % 4));
     }
 

@@ -35,8 +35,8 @@ public sealed class StressLabTests
     [InlineData(2, 1379)]
     public void Matches_that_did_not_hold_a_claim_hold_it(long seed, long match)
     {
-        MatchOutcome played = MatchPlay.Play(seed, match, 12);
-        Assert.All(Enum.GetValues<MatchClaim>(), claim => Assert.True(played.Broken(claim) == 0, $"{claim}: {played.At(claim)}"));
+        MatchOutcome played = MatchPlay.Play(seed, match, 12, new LabCounts());
+        Assert.All(Enum.GetValues<MatchClaim>(), claim => Assert.True(played[claim].Broken == 0, $"{claim}: {played[claim].At}"));
     }
 
     /// <summary>The path of a pile that bodies press against a board leads nowhere into the board; and no step reports more events than it may.</summary>
@@ -45,16 +45,16 @@ public sealed class StressLabTests
     [InlineData(2, 141)]
     public void The_path_of_a_pile_enters_no_board(long seed, long match)
     {
-        MatchOutcome played = MatchPlay.Play(seed, match, 12);
-        Assert.Equal((0, 0), (played.Broken(MatchClaim.Inside), played.Broken(MatchClaim.Events)));
+        MatchOutcome played = MatchPlay.Play(seed, match, 12, new LabCounts());
+        Assert.Equal((0, 0), (played[MatchClaim.Inside].Broken, played[MatchClaim.Events].Broken));
     }
 
     /// <summary>Balls that are put apart at the end of a step: the path leads to where they are put.</summary>
     [Fact]
     public void The_path_of_a_pile_leads_to_where_its_balls_are_put()
     {
-        MatchOutcome played = MatchPlay.Play(1, 116, 12);
-        Assert.Equal((0, 0), (played.Broken(MatchClaim.Path), played.Broken(MatchClaim.Inside)));
+        MatchOutcome played = MatchPlay.Play(1, 116, 12, new LabCounts());
+        Assert.Equal((0, 0), (played[MatchClaim.Path].Broken, played[MatchClaim.Inside].Broken));
     }
 
     [Fact]
@@ -73,9 +73,7 @@ public sealed class StressLabTests
     [InlineData(33)]
     public void Look_aheads_change_no_bit_of_balls_that_push_objects(long match)
     {
-        var played = new LookMatch(1, match);
-        played.Play(4.5);
-        Assert.Equal("", played.FirstAt);
+        Assert.Equal("", new LookMatch(1, match, new LabCounts()).Play(4.5));
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public sealed class PeopleTests
 
         Assert.Equal(25, presses.Cases);
         Assert.All(presses.Claims, claim => Assert.True(claim.Holds));
-        Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(presses.Meter.Events.Most, 1, StepMeter.MostAllowed);
         Assert.InRange(presses.Inside.Worst, 0, 1e-9);
     }
 
@@ -36,8 +36,8 @@ public sealed class PeopleTests
     {
         var presses = new Presses(Enum.Parse<PressKind>(against));
         presses.Play(seed, index);
-        Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
-        Assert.InRange(presses.Meter.MostEvaluations, 1, mostEvaluations);
+        Assert.InRange(presses.Meter.Events.Most, 1, StepMeter.MostAllowed);
+        Assert.InRange(presses.Meter.Evaluations.Most, 1, mostEvaluations);
         Assert.Equal((1, 0, 0), (presses.Cases, presses.Inside.Count, presses.Behind.Count));
     }
 
@@ -61,7 +61,7 @@ public sealed class PeopleTests
 
         Assert.Equal((100, 0, 0, 0), (pinches.Cases, pinches.Unending.Count, pinches.Beyond20.Count, pinches.TooFast.Count));
         Assert.True(pinches is { Squeezed.Count: > 20, InGround.Worst: < 1e-9 });
-        Assert.InRange(pinches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(pinches.Meter.Events.Most, 1, StepMeter.MostAllowed);
     }
 
     [Fact]
@@ -75,7 +75,7 @@ public sealed class PeopleTests
 
         Assert.Equal((60, 0), (meetings.Cases, meetings.TooFast.Count));
         Assert.True(meetings is { InGround.Worst: < 1e-9, Overlap.Worst: < 1e-5 });
-        Assert.InRange(meetings.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(meetings.Meter.Events.Most, 1, StepMeter.MostAllowed);
     }
 
     [Fact]
@@ -100,7 +100,7 @@ public sealed class PeopleTests
         var matches = new StadiumMatches();
         matches.Play(1234, match, seconds, _ => { });
         Assert.Equal((0, 0, 0, 0), (matches.Inside.Count, matches.Made.Count, matches.Elsewhere.Count, matches.RewoundElsewhere.Count));
-        Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(matches.Meter.Events.Most, 1, StepMeter.MostAllowed);
     }
 
     [Fact]
@@ -111,6 +111,6 @@ public sealed class PeopleTests
         matches.Play(Seed, 1, 60, _ => { });
         Assert.All(matches.Claims, claim => Assert.True(claim.Holds));
         Assert.True(matches is { Kicks.Count: > 5, Restless.Of: 2, Made.Of: > 1000, RewoundElsewhere.Of: > 5000 });
-        Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(matches.Meter.Events.Most, 1, StepMeter.MostAllowed);
     }
 }

@@ -150,18 +150,6 @@ public sealed class ScenesTests
         Assert.InRange(Vector3d.Distance(torque, new Vector3d(-1.4645e-4, -2.92898e-3, -2.19674e-3)), 0, 1e-8);
     }
 
-    private static CarrierModel Model(bool shapeTurns, double curve, in Vector3d normal, in Vector3d axis) => new()
-    {
-        Radius = Radius,
-        Inertia = 2.0 / 3,
-        Gravity = new Vector3d(0, -9.81, 0),
-        Sliding = 0.5,
-        Rolling = 0,
-        RollingBySpeed = 0,
-        Damping = 0,
-        ShapeTurns = shapeTurns,
-        Curve = curve,
-        Axis = axis,
-        Normal = normal,
-    };
+    private static CarrierModel Model(bool shapeTurns, double curve, in Vector3d normal, in Vector3d axis) =>
+        new(Radius, 2.0 / 3, new Vector3d(0, -9.81, 0), Sliding: 0.5, Rolling: 0, RollingBySpeed: 0, Damping: 0, shapeTurns, curve, axis, normal);
 }

@@ -14,10 +14,11 @@ public sealed class ZonesLabTests
             plays.Play(20261127, i);
         }
 
-        Assert.Equal((150, 0, 0, 0, 0), (plays.Cases, plays.Missed, plays.Wrong, plays.Disordered, plays.Changed));
+        Assert.Equal(150, plays.Counts["paths"]);
+        Assert.All(ZonePlays.Faults, fault => Assert.Equal(0, plays.Counts[fault]));
         Assert.InRange(plays.WorstTime, 0, 1e-9);
         Assert.InRange(plays.WorstPlace, 0, 1e-9);
-        Assert.All(plays.Events, count => Assert.True(count > 30, $"{count} events"));
+        Assert.All(ZoneDraw.Shapes, shape => Assert.True(plays.Counts["events: " + shape] > 30, shape));
         Assert.False(plays.Failed);
     }
 }

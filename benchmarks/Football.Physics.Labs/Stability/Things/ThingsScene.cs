@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>A scene with objects, and a shot among them, all from one number. Its mirror image in x has the same numbers, except for their signs.</summary>
@@ -10,6 +8,9 @@ internal sealed class ThingsScene
     private readonly SeededRandom _random;
     private readonly SeededRandom _motion;
     private readonly double _sign;
+
+    /// <summary>The objects, without the shot.</summary>
+    private Scene Scene { get; }
 
     /// <summary>Draws a scene.</summary>
     /// <param name="seed">Seed.</param>
@@ -23,7 +24,7 @@ internal sealed class ThingsScene
         _sign = mirrored ? -1 : 1;
         int kinds = Enum.GetValues<ThingsKind>().Length;
         Kind = (ThingsKind)(index % kinds);
-        Integrator = _random.Any(Integrator.Rk4, Integrator.Rk4, Integrator.Rk2, Integrator.SemiImplicitEuler, Integrator.Euler);
+        Integrator integrator = _random.Any(Integrator.Rk4, Integrator.Rk4, Integrator.Rk2, Integrator.SemiImplicitEuler, Integrator.Euler);
         int count = Kind == ThingsKind.Nets ? _random.Below(6) : 1 + _random.Below(60);
         Obstacle[] obstacles = [.. Enumerable.Range(0, count).Select(_ => DrawObstacle(Kind == ThingsKind.Moving && _random.Chance(0.3)))];
         Ground ground = DrawGround();
@@ -37,37 +38,36 @@ internal sealed class ThingsScene
                 : [],
             Bodies = Kind == ThingsKind.Bodies ? DrawBodies() : null,
         };
-        Position = FreePlace();
-        Velocity = Polar(new Vector3d(_random.Uniform(-25, 25), _random.Uniform(-8, 15), _random.Uniform(-40, 10)));
+        Vector3d position = FreePlace();
+        Vector3d velocity = Polar(new Vector3d(_random.Uniform(-25, 25), _random.Uniform(-8, 15), _random.Uniform(-40, 10)));
         if ((obstacles.Length > 0 || Kind == ThingsKind.Nets) && _random.Chance(0.6))
         {
             // Aim at one of the objects, or into the goal.
             Vector3d at = Polar(new Vector3d(_random.Uniform(-2, 2), _random.Uniform(0.2, 2), -8));
             Bounds3d box = Kind == ThingsKind.Nets ? new Bounds3d(in at, in at) : obstacles[_random.Below(obstacles.Length)].Shape.Bounds;
-            Vector3d way = (0.5 * (box.Min + box.Max)) - Position;
+            Vector3d way = (0.5 * (box.Min + box.Max)) - position;
             double size = _random.Log(5, 60);
-            Velocity = way.IsFinite ? (size / way.Length * way) + new Vector3d(0, 4.9 * way.Length / size, 0) : Velocity;
+            velocity = way.IsFinite ? (size / way.Length * way) + new Vector3d(0, 4.9 * way.Length / size, 0) : velocity;
         }
 
-        Spin = Axial(_random.Log(0.1, 100) * _random.Direction());
+        Vector3d spin = Axial(_random.Log(0.1, 100) * _random.Direction());
         double frame = _random.Any(0.005, 0.01, 1.0 / 60, 0.04, 0.1);
-        Frames = [.. Enumerable.Repeat(frame, (int)Math.Min(200, 3 / frame))];
+        Shot = new StressScene
+        {
+            Number = index,
+            Scene = Scene,
+            Settings = new SolverSettings { Integrator = integrator },
+            Position = position,
+            Velocity = velocity,
+            Spin = spin,
+            Frames = [.. Enumerable.Repeat(frame, (int)Math.Min(200, 3 / frame))],
+        };
     }
 
     public ThingsKind Kind { get; }
 
-    public Integrator Integrator { get; }
-
-    public Scene Scene { get; }
-
-    public Vector3d Position { get; }
-
-    public Vector3d Velocity { get; }
-
-    public Vector3d Spin { get; }
-
-    /// <summary>The lengths of the frames, s.</summary>
-    public double[] Frames { get; }
+    /// <summary>The scene, the shot and its frames.</summary>
+    public StressScene Shot { get; }
 
     /// <summary>True if the mirror image has the same numbers: on uneven ground the two sides round differently.</summary>
     public bool HasMirrorImage => Kind != ThingsKind.Hills;
@@ -129,18 +129,7 @@ internal sealed class ThingsScene
             return flat with { Normal = Polar(new Vector3d(_random.Uniform(-0.4, 0.4), 1, _random.Uniform(-0.4, 0.4))) };
         }
 
-        if (Kind != ThingsKind.Hills)
-        {
-            return flat;
-        }
-
-        double[,] values = new double[14, 14];
-        for (int i = 0; i < 14 * 14; i++)
-        {
-            values[i / 14, i % 14] = _random.Uniform(0, 0.5);
-        }
-
-        return flat with { Heights = new HeightField(-13, -13, 2, values) };
+        return Kind == ThingsKind.Hills ? flat with { Heights = LabMath.Hills(-13, -13, 2, 14, (_, _) => _random.Uniform(0, 0.5)) } : flat;
     }
 
     private SurfaceMaterial DrawSurface() => SurfaceMaterial.GoalFrame with
@@ -202,4 +191,26 @@ internal sealed class ThingsScene
 
         return bodies;
     }
+}
+
+/// <summary>The kinds of scenes with objects.</summary>
+internal enum ThingsKind
+{
+    /// <summary>Standing spheres, capsules, boxes and walls.</summary>
+    Obstacles,
+
+    /// <summary>As above, some of them in steady motion.</summary>
+    Moving,
+
+    /// <summary>As above, some of them moved by the game, before every frame and to any position.</summary>
+    Bodies,
+
+    /// <summary>Goals and free nets.</summary>
+    Nets,
+
+    /// <summary>Objects on a tilted pitch.</summary>
+    Slopes,
+
+    /// <summary>Objects on uneven ground.</summary>
+    Hills,
 }

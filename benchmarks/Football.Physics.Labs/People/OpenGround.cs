@@ -1,6 +1,71 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Labs.People;
+
+/// <summary>One moving object and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
+internal sealed class Meetings() : PeopleCases("one thing and a ball")
+{
+    private const int Frames = 150;
+    private static readonly IShape[] s_shapes =
+    [
+        new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
+        new CapsuleShape(new Vector3d(0, -1, 0), new Vector3d(0, 1.55, 0), 0.25),
+        new BoxShape(new Vector3d(0, 0.06, 0), new Vector3d(0.05, 0.06, 0.14)),
+        new SphereShape(new Vector3d(0, 0.3, 0), 0.12),
+    ];
+
+    public readonly PeopleClaim TooFast = new("met by one: faster than a rigid hit explains");
+    public readonly PeopleClaim InGround = new("met by one: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim Overlap = new("met by one: in what moves, m", ClaimParts.Worst);
+
+    public override PeopleClaim[] Claims => [TooFast, InGround, Overlap];
+
+    /// <summary>Simulates one meeting.</summary>
+    public override void Play(long seed, int index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
+        int which = index % s_shapes.Length;
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("mover", s_shapes[which], SurfaceMaterial.Boot);
+        var ball = new Ball(new Scene { Bodies = bodies });
+        double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
+        ball.Place(new Vector3d(0, random.Chance(0.7) ? Radius : random.Uniform(Radius, 1), 0));
+        Vector3d heading = random.Heading();
+        Vector3d place = (-random.Uniform(0.4, 1.2) * heading) + new Vector3d(random.Uniform(-0.12, 0.12), 0, random.Uniform(-0.12, 0.12));
+        double speed = random.Uniform(0.2, 8);
+        double faster = random.Uniform(-2, 2);
+        if (random.Chance(0.5))
+        {
+            ball.Kick(new Vector3d(random.Uniform(-5, 5), random.Uniform(0, 3), random.Uniform(-5, 5)), random.Uniform(0, 45) * random.Direction());
+        }
+
+        double kicked = ball.State.Velocity.Length;
+        double most = speed;
+        double deepest = 0;
+        for (int i = 0; i < Frames; i++)
+        {
+            body.MoveTo(place, speed * heading, ball.Time);
+            Meter.Step(ball, frame, $"meeting {index}, frame {i}");
+            place += frame * speed * heading;
+            speed = Math.Clamp(speed + (frame * faster), -8.5, 8.5);
+            most = Math.Max(most, Math.Abs(speed));
+            Vector3d at = ball.State.Position;
+            TooFast.Case(ball.State.Velocity.Length > 1.05 * ((1.5 * most) + Math.Max(kicked, 1) + 3));
+            deepest = Math.Max(deepest, Radius - at.Y);
+            Overlap.See(Radius - Distance(which, at - place), $"meeting {index}, frame {i}: {ball.Motion}");
+        }
+
+        Cases++;
+        InGround.Judge(deepest, Entered);
+        Overlap.Case(false);
+    }
+
+    private static double Distance(int which, Vector3d place) => which switch
+    {
+        0 => Solid.Capsule(place, new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
+        1 => Solid.Capsule(place, new Vector3d(0, -1, 0), new Vector3d(0, 1.55, 0), 0.25),
+        2 => Solid.Box(place, new Vector3d(0, 0.06, 0), new Vector3d(0.05, 0.06, 0.14)),
+        _ => (place - new Vector3d(0, 0.3, 0)).Length - 0.12,
+    };
+}
 
 /// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline. Compares its time of rest with the same kick on open ground.</summary>
 internal sealed class FlatHits() : PeopleCases("flat into an edge")
@@ -21,24 +86,22 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
     ];
 
     private readonly Simulator _open = new(new Scene());
-    private readonly StepLog _log = new();
 
-    public PeopleClaim SlidLong { get; } = new("flat into an edge: slides in it for more than 2 s");
-
-    public PeopleClaim Restless { get; } = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
+    public readonly PeopleClaim SlidLong = new("flat into an edge: slides in it for more than 2 s");
+    public readonly PeopleClaim Restless = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>
     /// Counts balls at rest later than on open ground, from the last hit or support by a board. A ball counts only if it is later than both with the same
     /// motion and with all its energy as rolling, because spin at a board may drive the ball on with that energy.
     /// </summary>
-    public PeopleClaim Later { get; } =
+    public readonly PeopleClaim Later =
         new("flat into an edge: at rest later than with its energy on open ground, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>Counts balls at rest later than on open ground from there with the same motion.</summary>
-    public PeopleClaim SpinLater { get; } = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
+    public readonly PeopleClaim SpinLater = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     /// <summary>Counts balls at rest later than the same kick on open ground: a board that returns a spinning ball turns its backspin into topspin.</summary>
-    public PeopleClaim Turned { get; } = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
+    public readonly PeopleClaim Turned = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     public override PeopleClaim[] Claims => [SlidLong, Restless, Later, SpinLater, Turned];
 
@@ -95,11 +158,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
         Note(Turned, ball.Time - OnOpenGround(from, velocity, spin, 0), at);
     }
 
-    private static void Note(PeopleClaim claim, double later, FormattableString? at)
-    {
-        claim.See(later, later > Frame ? at : null);
-        claim.Case(later > Frame);
-    }
+    private static void Note(PeopleClaim claim, double later, FormattableString? at) => claim.Judge(later, Frame, later > Frame ? at : null);
 
     /// <summary>Returns the rolling speed with all the ball's energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>
     private static Vector3d Rolling(BallProperties ball, in BallState s)
@@ -110,13 +169,7 @@ internal sealed class FlatHits() : PeopleCases("flat into an edge")
     }
 
     /// <summary>Returns the time at which a ball rests on open ground, s.</summary>
-    private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time)
-    {
-        BallState state = _open.Launch(from, velocity, spin);
-        _log.Clear();
-        _open.Run(ref state, Frame, Longest, StopAt.Rest, _log);
-        return time + state.Time;
-    }
+    private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time) => time + _open.Fly(from, velocity, spin, Frame, Longest, StopAt.Rest).Time;
 
     private static (Simulator Simulator, double Board) On(Pitch pitch) => (new Simulator(pitch.On()), (0.5 * pitch.Width) + pitch.BoardDistance);
 }
