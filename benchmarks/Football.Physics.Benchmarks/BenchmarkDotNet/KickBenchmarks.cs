@@ -1,5 +1,4 @@
 using BenchmarkDotNet.Attributes;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

@@ -1,5 +1,4 @@
 using BenchmarkDotNet.Attributes;
-using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of kicks after bounces and off objects, to 1 mm. The targets are points that random kicks reached after just these contacts.</summary>

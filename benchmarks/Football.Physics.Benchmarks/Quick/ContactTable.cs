@@ -1,5 +1,4 @@
 using System.Globalization;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using FootballPhysics.Labs;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Integration;
 using FootballPhysics.State;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "What a scene does not need is free": RK2 at 10 ms.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of the chance of a goal: by derivatives, and by the default number of simulated kicks.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "A ball in a group": RK2 at 10 ms, the default scene, a group of one compared with its ball alone; and a ball that is kicked in a net.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "A kick", from foot to rest: with the default scene and settings, and with the published profile.</summary>

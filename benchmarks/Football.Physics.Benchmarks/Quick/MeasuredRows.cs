@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of the measured profile, each compared with the same flight by the published laws, or in still air.</summary>

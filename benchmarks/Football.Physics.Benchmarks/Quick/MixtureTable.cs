@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "What a scene contains": flight steps of scenes with fewer or simpler forces, other balls and other air.</summary>

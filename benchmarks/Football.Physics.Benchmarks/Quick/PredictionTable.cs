@@ -1,5 +1,4 @@
 using FootballPhysics.Labs;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "Time for one ball".</summary>

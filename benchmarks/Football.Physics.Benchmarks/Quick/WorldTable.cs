@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "The ball among things": RK2 at 10 ms, flights that hit nothing, compared with the same flights over an empty pitch.</summary>

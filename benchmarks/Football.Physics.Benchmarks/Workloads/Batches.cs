@@ -1,4 +1,3 @@
-using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;

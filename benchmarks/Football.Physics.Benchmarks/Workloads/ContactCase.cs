@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using FootballPhysics.Scenes;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;
 

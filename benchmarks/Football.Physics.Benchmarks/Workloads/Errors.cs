@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
 namespace FootballPhysics.Benchmarks;

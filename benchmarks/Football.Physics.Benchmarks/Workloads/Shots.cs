@@ -1,5 +1,3 @@
-using FootballPhysics.Yardsticks;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The shot sets in the form that each yardstick needs.</summary>
