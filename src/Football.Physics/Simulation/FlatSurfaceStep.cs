@@ -146,7 +146,12 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        Vector3d turn = Turn(in start, in step, dt);
+        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series. For a large turn, use the sixth order.
+        Vector3d last = step.End.Spin;
+        bool turnsLittle = _order < 4 || dt * dt * dt * dt * Vector3d.Cross(in last, start.Spin).LengthSquared <= LittleTurn * LittleTurn;
+        Vector3d turned = turnsLittle ? RotationVector.OfMean(step.Mean.Spin, start.Spin, in last, dt)
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * step.Mean.Spin) - start.Spin - step.Stage.Spin), in last, dt);
+        Vector3d turn = _law.Axes.InWorld(turned.X, turned.Y, turned.Z);
         if (log.IsWatched)
         {
             MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, along, in step.End, dt, end, wayX, wayZ);
@@ -297,18 +302,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             || (rolls && (energy <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, step.TractionSquared) <= friction * friction)))
             || start.WY * end.WY < 0
             || (_locatesJump && _law.MayCrossJump(in on, in start, along, in first, in end, dt));
-    }
-
-    /// <summary>Returns the rotation over a step whose spin axis turns too, rad.</summary>
-    /// <remarks>It is ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series; for a large turn, the series of order 6.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3d Turn(in PlaneMotion start, in PlaneMotionStep step, double dt)
-    {
-        Vector3d end = step.End.Spin;
-        bool turnsLittle = _order < 4 || dt * dt * dt * dt * Vector3d.Cross(in end, start.Spin).LengthSquared <= LittleTurn * LittleTurn;
-        Vector3d turned = turnsLittle ? RotationVector.OfMean(step.Mean.Spin, start.Spin, in end, dt)
-            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * step.Mean.Spin) - start.Spin - step.Stage.Spin), in end, dt);
-        return _law.Axes.InWorld(turned.X, turned.Y, turned.Z);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
