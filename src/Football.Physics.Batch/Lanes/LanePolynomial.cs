@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Batch;
 
 /// <summary>The polynomial c0 + c1 z + … + c8 z⁸ with float coefficients, evaluated by <see cref="LaneMath{F}"/>.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Batch;
 
 /// <summary>Approximates functions by polynomials through Chebyshev points.</summary>

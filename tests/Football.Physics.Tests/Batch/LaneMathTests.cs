@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Tests.Batch;
 
 /// <summary>The functions of lanes: where their literals come from, and what they are worth.</summary>

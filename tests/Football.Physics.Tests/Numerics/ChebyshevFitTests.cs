@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>Polynomials through a function's values at the Chebyshev points.</summary>

@@ -1,5 +1,4 @@
 using System.Numerics;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tests.Numerics;
 

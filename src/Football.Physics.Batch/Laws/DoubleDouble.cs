@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics.Numerics;
+namespace FootballPhysics.Batch;
 
 /// <summary>A number as the sum of two doubles, with 31 digits (Dekker).</summary>
 /// <remarks>Constants computed with it are the exact values rounded to double, whatever the order of computation.</remarks>
