@@ -11,7 +11,7 @@ internal static class FloorTable
     private const int Operations = 8192;
     private static readonly Scene s_constant = Scene.Published with { Forces = ForceSet.Constant };
 
-    public static IReadOnlyList<(string Name, string Bounds, Func<Workload> Subject)> Rows { get; } =
+    public static IReadOnlyList<(string Name, string PartOf, Func<Workload> Subject)> Rows { get; } =
     [
         ("a call that adds to a clock in memory", "a stopped ball", Clock),
         ("the same, and a fall: position and velocity in memory", "vacuum, no air", Fall),
@@ -23,7 +23,7 @@ internal static class FloorTable
     ];
 
     /// <summary>Times the rows.</summary>
-    public static void Print(Action<string> print, IReadOnlyList<(string Name, string Bounds, Func<Workload> Subject)> rows, double share)
+    public static void Print(Action<string> print, IReadOnlyList<(string Name, string PartOf, Func<Workload> Subject)> rows, double share)
     {
         Workload plain = Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, ShotSets.Fast);
         Workload[] work = [.. rows.Select(row => row.Subject())];
@@ -31,14 +31,14 @@ internal static class FloorTable
         print("");
         print("## What a step cannot avoid");
         print("");
-        print("Parts of a step, timed alone: each operation waits for the one before. The last column names the rows that cannot be faster. The published laws take about 64 clock cycles a stage: 12 for |u|², 4 for the argument, 12 for the index and the load, 12 for the cubic, 24 for drag, lift, acceleration and the next velocity.");
+        print("Parts of a step, timed alone: each operation waits for the one before. The last column names the rows above that contain the part. By the latencies of such processors (an estimate), a stage of the published laws takes about 64 clock cycles: 12 for |u|², 4 for the argument, 12 for the index and the load, 12 for the cubic, 24 for drag, lift, acceleration and the next velocity.");
         print("");
-        print("| | ns | plain RK2, ns | ratio | bounds |");
+        print("| | ns | plain RK2, ns | ratio | part of |");
         print("|---|--:|--:|--:|---|");
         for (int i = 0; i < rows.Count; i++)
         {
             Timing time = Stopwatching.Measure(work[i], plain, share);
-            print($"| {rows[i].Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {rows[i].Bounds} |");
+            print($"| {rows[i].Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {rows[i].PartOf} |");
         }
     }
 
