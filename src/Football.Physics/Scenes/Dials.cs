@@ -27,7 +27,7 @@ public sealed record Dials
     /// </remarks>
     public double Pressure { get; init; } = UsualPressure;
 
-    /// <summary>The water on the pitch and in the ball, beyond what the scene already includes. 0 … 1; default 0.</summary>
+    /// <summary>The water on the pitch and in the ball, in addition to the water that the scene already includes. 0 … 1; default 0.</summary>
     /// <remarks>
     /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, the effect of watering (measured).
     /// Impact friction falls by a third, to the lowest value in three matches (measured). Sliding friction falls by 45 % and

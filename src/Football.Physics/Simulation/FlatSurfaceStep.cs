@@ -134,7 +134,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
         double wayX = dt * step.Mean.VX;
         double wayZ = dt * step.Mean.VZ;
-        Vector3d position = _law.Axes.IsLevel
+        Vector3d position = isLevel
             ? new Vector3d(s.Position.X + wayX, s.Position.Y, s.Position.Z + wayZ)
             : s.Position + (wayX * _law.Axes.X) + (wayZ * _law.Axes.Z);
         if (_materials.Length > 1 && _world.Ground!.PatchAt(in position) != patch)

@@ -94,9 +94,9 @@ internal sealed class PlaneLaw<TAir>
         double uz = vz - WindZ;
 
         // Only the wind varies here: custom forces are excluded, and the knuckle force acts only in flight.
-        DragBranch branch = _air.HasField ? AddWind(in on, (wx * wx) + (wy * wy) + (wz * wz), after, wayX, wayZ, ref ux, ref uy, ref uz) : on.Branch;
-        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double spinSquared = (wx * wx) + (wy * wy) + (wz * wz);
+        DragBranch branch = _air.HasField ? AddWind(in on, spinSquared, after, wayX, wayZ, ref ux, ref uy, ref uz) : on.Branch;
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double crossX = (wy * uz) - (wz * uy);
         double crossUp = (wz * ux) - (wx * uz);
         double crossZ = (wx * uy) - (wy * ux);

@@ -14,7 +14,7 @@ public sealed record DribbleRequest
     /// <summary>His running speed, in m/s. 0 … 15; default 5.</summary>
     public double RunSpeed { get; init; } = 5;
 
-    /// <summary>The time at which he wants to reach the ball, in s after the touch. 0.05 … 5; default 0.5.</summary>
+    /// <summary>The time after the touch at which he plans to reach the ball, in s. 0.05 … 5; default 0.5.</summary>
     public double Duration { get; init; } = 0.5;
 
     /// <summary>The distance of the ball ahead of him at that time, in m. 0 … 10; default 0.6.</summary>

@@ -17,9 +17,10 @@ internal struct TableAir<TLaw> : IFlightAir
     private const double StillAir = 1e-9;
 
     /// <summary>Added to (r|ω|)², in m²/s², so that a ball without spin stays within the tables.</summary>
+    /// <remarks>The S² of such a ball is then without spin for <see cref="LawTables"/> at the lowest speed, and still within the tables at the highest.</remarks>
     private const double NoSpin = 1e-23;
 
-    /// <summary>The lowest speed of a single evaluation by tables, in m/s.</summary>
+    /// <summary>The lowest speed of a single evaluation by tables, in m/s: where the tables of the published laws begin.</summary>
     private const double SlowestPoint = 0.015625;
 
     /// <summary>The margin by which a step must start above the lowest speed of the tables.</summary>
