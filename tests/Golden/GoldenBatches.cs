@@ -35,6 +35,7 @@ internal static class GoldenBatches
         ulong hash = 0;
         for (int i = 0; i < Balls; i++)
         {
+            GoldenTrace.Add(flights.Position[i]);
             hash = GoldenShots.Mix(GoldenShots.Mix(hash, (ulong)flights.End[i]), flights.Time[i]);
             hash = GoldenShots.Mix(GoldenShots.Mix(hash, flights.Position[i]), flights.Velocity[i]);
             hash = GoldenShots.Mix(GoldenShots.Mix(hash, flights.Spin[i]), flights.VelocityAfter[i]);
@@ -59,6 +60,7 @@ internal static class GoldenBatches
         ulong hash = 0;
         for (int i = 0; i < Aims; i++)
         {
+            GoldenTrace.Add(kicks.Velocity[i]);
             hash = GoldenShots.Mix(GoldenShots.Mix(hash, (ulong)kicks.Status[i]), kicks.Time[i]);
             hash = GoldenShots.Mix(GoldenShots.Mix(hash, kicks.Velocity[i]), kicks.Spin[i]);
             hash = GoldenShots.Mix(hash, kicks.Miss[i]);

@@ -186,6 +186,7 @@ public static class GoldenGames
 
     private static ulong Mix(AimResult aim)
     {
+        GoldenTrace.Add(aim.Velocity);
         ulong hash = GoldenShots.Mix(GoldenShots.Mix(0, (ulong)aim.Status), aim.Time);
         return GoldenShots.Mix(GoldenShots.Mix(GoldenShots.Mix(hash, aim.Velocity), aim.Spin), aim.Miss);
     }

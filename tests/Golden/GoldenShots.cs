@@ -13,7 +13,7 @@ public static class GoldenShots
     private const double TimeStep = 0.01;
     private const int Ticks = 1200;
 
-    /// <summary>One line a combination of shot, laws and integrator, one a combination of batch and laws; then what games get by default, and the total.</summary>
+    /// <summary>One line a combination of shot, laws and integrator, one a combination of batch and laws; then what games get by default, and the total. After these, balls among objects, and the total of all.</summary>
     public static IEnumerable<string> Lines()
     {
         ulong total = 0;
@@ -48,6 +48,13 @@ public static class GoldenShots
 
         yield return "snapshot " + GoldenGames.SnapshotBytes();
         yield return Line("total", total);
+        foreach (KeyValuePair<string, ulong> line in GoldenThings.Hashes(new HashSet<string>()))
+        {
+            total = Mix(total, line.Value);
+            yield return Line(line.Key, line.Value);
+        }
+
+        yield return Line("total with objects", total);
     }
 
     private static IEnumerable<KeyValuePair<string, Scene>> Scenes()
@@ -98,6 +105,7 @@ public static class GoldenShots
     /// <summary>State, events and what is drawn, after a step.</summary>
     internal static ulong MixStep(ulong hash, FixedStepRunner runner)
     {
+        GoldenTrace.Add(runner);
         hash = Mix(hash, Snapshot.Hash(runner.State));
         for (int i = 0; i < runner.Events.Count; i++)
         {

@@ -17,7 +17,8 @@ Console.Error.WriteLine(FormattableString.Invariant(
 string target = typeof(Ball).Assembly.GetCustomAttribute<System.Runtime.Versioning.TargetFrameworkAttribute>()?.FrameworkName ?? "?";
 Console.Error.WriteLine($"assembly for {target} on {System.Runtime.InteropServices.RuntimeInformation.FrameworkDescription}");
 
-foreach (string line in GoldenShots.Lines())
+// With --states, each line has the path of its balls too.
+foreach (string line in args.Contains("--states") ? GoldenTrace.Lines() : GoldenShots.Lines())
 {
     Console.WriteLine(line);
 }

@@ -21,5 +21,20 @@ public sealed class GoldenTests
     }
 
     [Fact]
+    public void The_golden_objects_touch_everything()
+    {
+        var met = new HashSet<string>();
+        Assert.NotEmpty(GoldenThings.Hashes(met).ToList());
+        string[] kinds = [.. Enum.GetNames<BallEventKind>()];
+        string[] things =
+        [
+            "ground", "board", "side board", "wall", "post", "kerb", "tile", "pipe", "bowl", "rail", "table", "belt", "drum", "mound", "player", "leg", "lid", "press", "crate", "collider", "mesh",
+            "hammock", "roof net", "back net", "left net", "box", "sphere", "rod", "above",
+        ];
+        Assert.Empty(kinds.Concat(things).Except(met));
+        Assert.DoesNotContain("ghost", met);
+    }
+
+    [Fact]
     public void All_golden_shots_differ() => Assert.Distinct(s_lines.Value.Select(line => line.Split(' ')[^1]));
 }
