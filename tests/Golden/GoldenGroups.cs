@@ -185,8 +185,8 @@ internal static class GoldenGroups
     private static GoldenPlay PairPinched(Scene scene)
     {
         var bodies = new KinematicBodies();
-        KinematicBody one = bodies.Add("one", Player, SurfaceMaterial.Boot);
-        KinematicBody other = bodies.Add("other", Player, SurfaceMaterial.Boot, 75);
+        KinematicBody one = bodies.Add("one", PlayerShape, SurfaceMaterial.Boot);
+        KinematicBody other = bodies.Add("other", PlayerShape, SurfaceMaterial.Boot, 75);
         return new GoldenPlay(scene with { Bodies = bodies }, 1.2)
         {
             Move = time =>

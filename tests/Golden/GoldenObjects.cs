@@ -11,7 +11,7 @@ internal static class GoldenObjects
     public const double Radius = 0.11;
 
     /// <summary>The shape of a player about the point between his feet.</summary>
-    public static IShape Player { get; } = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);
+    public static IShape PlayerShape { get; } = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);
 
     public static SurfaceMaterial Smooth { get; } = SurfaceMaterial.GoalFrame with
     {

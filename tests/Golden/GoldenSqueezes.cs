@@ -73,7 +73,7 @@ internal static class GoldenSqueezes
     internal static GoldenPlay Walk(Scene scene, double mass, Vector3d from, Vector3d velocity, double until, double duration = 1.5)
     {
         var bodies = new KinematicBodies();
-        KinematicBody player = bodies.Add("player", Player, SurfaceMaterial.Boot, mass);
+        KinematicBody player = bodies.Add("player", PlayerShape, SurfaceMaterial.Boot, mass);
         return new GoldenPlay(scene with { Bodies = bodies }, duration)
         {
             Move = time => player.MoveTo(from + (Math.Min(time, until) * velocity), time < until ? velocity : default, time),
@@ -83,8 +83,8 @@ internal static class GoldenSqueezes
     private static GoldenPlay Pinch(Scene scene, Vector3d from, Vector3d velocity, Vector3d otherFrom, Vector3d otherVelocity, double until, double duration = 1.2)
     {
         var bodies = new KinematicBodies();
-        KinematicBody one = bodies.Add("one", Player, SurfaceMaterial.Boot);
-        KinematicBody other = bodies.Add("other", Player, SurfaceMaterial.Boot, 75);
+        KinematicBody one = bodies.Add("one", PlayerShape, SurfaceMaterial.Boot);
+        KinematicBody other = bodies.Add("other", PlayerShape, SurfaceMaterial.Boot, 75);
         return new GoldenPlay(scene with { Bodies = bodies }, duration)
         {
             // After the pinch, the first goes back at twice the speed, and the second stays.
