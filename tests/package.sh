@@ -260,7 +260,9 @@ quietly "build for Mono" dotnet build -c Release "-p:FootballPhysicsVersion=$ver
 quietly "mcs" mcs -nologo -out:"$work/mono/host.exe" -r:"$work/mono/golden.dll" -r:Facades/netstandard.dll Host.cs
 same "netstandard2.1 assembly on Mono" mono "$work/mono/host.exe"
 same "netstandard2.1 assembly on Mono, floats as floats" mono -O=float32 "$work/mono/host.exe"
-same "netstandard2.1 assembly on Mono, all optimisations" mono -O=all "$work/mono/host.exe"
+
+# Without tail calls: Mono frees the frame of a local before a tail call on that local.
+same "netstandard2.1 assembly on Mono, all optimisations" mono -O=all,-tailc "$work/mono/host.exe"
 
 # --- the pages of a new user
 
