@@ -26,11 +26,20 @@ internal sealed class GoldenPlay
     /// <summary>The kind of each ball; null if all are the ball of the scene.</summary>
     public BallProperties[]? Kinds { get; set; }
 
-    /// <summary>The methods that locate events; the integrator is that of the variant.</summary>
+    /// <summary>The methods that locate events.</summary>
     public SolverSettings Settings { get; set; } = SolverSettings.Default;
 
     /// <summary>True if the only ball is in a group too.</summary>
     public bool IsGroup { get; set; }
+
+    /// <summary>The integrator; null for that of the variant.</summary>
+    public Integrator? Integrator { get; set; }
+
+    /// <summary>True if all states are read from bytes after every 0.3 s.</summary>
+    public bool Restores { get; set; }
+
+    /// <summary>The scene of the second half; null for the same.</summary>
+    public Scene? Then { get; set; }
 
     /// <summary>Adds a ball.</summary>
     public GoldenPlay Ball(Vector3d position, Vector3d velocity = default, Vector3d spin = default)
@@ -54,13 +63,12 @@ internal sealed class GoldenPlay
     }
 
     /// <summary>Returns the hash of all states, events and drawn poses.</summary>
-    /// <param name="integrator">The integrator.</param>
     /// <param name="rate">Steps per second; a multiple of 10.</param>
     /// <param name="met">Gets the kinds of events, and the names of everything that a ball touched.</param>
-    public ulong Run(Integrator integrator, int rate, ISet<string> met)
+    public ulong Run(int rate, ISet<string> met)
     {
         double step = 1.0 / rate;
-        SolverSettings settings = Settings with { Integrator = integrator };
+        SolverSettings settings = Integrator is { } integrator ? Settings with { Integrator = integrator } : Settings;
         FixedStepRunner runner = Kinds is not null ? new FixedStepRunner(new BallGroup(Scene, Kinds, settings), step)
             : _balls.Count > 1 || IsGroup ? new FixedStepRunner(new BallGroup(new Simulator(Scene, settings), _balls.Count), step)
             : new FixedStepRunner(new Simulator(Scene, settings), step);
@@ -78,6 +86,16 @@ internal sealed class GoldenPlay
         {
             runner.Step();
             hash = Mix(hash, runner);
+            if (Restores && runner.Tick % (rate * 3 / 10) == 0)
+            {
+                runner.RestoreAll(runner.Tick, Enumerable.Range(0, _balls.Count).Select(i => Read(runner.StateOf(i))).ToArray());
+            }
+
+            if (Then is not null && runner.Tick == ticks / 2)
+            {
+                runner.Simulator = new Simulator(Then, settings);
+            }
+
             for (int i = 0; i < runner.Events.Count; i++)
             {
                 BallEvent happened = runner.Events[i];
@@ -107,6 +125,13 @@ internal sealed class GoldenPlay
         }
 
         return hash;
+    }
+
+    private static BallState Read(BallState state)
+    {
+        var bytes = new byte[Snapshot.Size];
+        Snapshot.Write(state, bytes);
+        return Snapshot.Read(bytes);
     }
 
     private static Simulator SimulatorOf(FixedStepRunner runner, int ball)

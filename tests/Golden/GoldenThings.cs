@@ -4,31 +4,33 @@ namespace FootballPhysics.Golden;
 
 public static class GoldenThings
 {
-    private static readonly (string Name, bool IsPublished, Integrator Integrator, int Rate)[] s_variants =
+    private static readonly (bool IsPublished, Integrator Integrator, int Rate)[] s_variants =
     {
-        ("default Rk4 60", false, Integrator.Rk4, 60),
-        ("published Rk4 100", true, Integrator.Rk4, 100),
-        ("default Rk2 60", false, Integrator.Rk2, 60),
-        ("default Rk4 100", false, Integrator.Rk4, 100),
-        ("published Rk2 60", true, Integrator.Rk2, 60),
-        ("default Rk4 30", false, Integrator.Rk4, 30),
-        ("published Rk4 60", true, Integrator.Rk4, 60),
+        (false, Integrator.Rk4, 60), (true, Integrator.Rk4, 100), (false, Integrator.Rk2, 60), (false, Integrator.Rk4, 100), (true, Integrator.Rk2, 60), (false, Integrator.Rk4, 30), (true, Integrator.Rk4, 60),
     };
 
-    /// <summary>The hash of each simulation.</summary>
+    /// <summary>The hash of each simulation. The name ends with the profile, the integrator and the steps per second.</summary>
     /// <param name="met">Gets the kinds of events, and the names of everything that a ball touched.</param>
     public static IEnumerable<KeyValuePair<string, ulong>> Hashes(ISet<string> met)
     {
         int variant = 0;
         foreach ((string name, Func<Scene, GoldenPlay> make) in Plays())
         {
-            (string with, bool isPublished, Integrator integrator, int rate) = s_variants[variant++ % s_variants.Length];
-            yield return GoldenShots.Named(name + " " + with, make(isPublished ? Scene.Published : GoldenGames.Plain).Run(integrator, rate, met));
+            (bool isPublished, Integrator integrator, int rate) = s_variants[variant++ % s_variants.Length];
+            GoldenPlay play = make(isPublished ? Scene.Published : GoldenGames.Plain);
+            play.Integrator ??= integrator;
+            string profile = play.Scene.Forces.Coefficients == AerodynamicModel.Measured ? "default" : "published";
+            yield return GoldenShots.Named($"{name} {profile} {play.Integrator} {rate}", play.Run(rate, met));
+        }
+
+        foreach (KeyValuePair<string, ulong> look in GoldenRest.Looks())
+        {
+            yield return look;
         }
     }
 
     private static IEnumerable<(string Name, Func<Scene, GoldenPlay> Make)> Plays()
     {
-        return GoldenContacts.Plays().Concat(GoldenSqueezes.Plays()).Concat(GoldenMovers.Plays()).Concat(GoldenGrounds.Plays()).Concat(GoldenGroups.Plays());
+        return GoldenContacts.Plays().Concat(GoldenSqueezes.Plays()).Concat(GoldenMovers.Plays()).Concat(GoldenGrounds.Plays()).Concat(GoldenGroups.Plays()).Concat(GoldenRest.Plays());
     }
 }
