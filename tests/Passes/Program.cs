@@ -4,16 +4,24 @@ using System.Text.Json;
 using FootballPhysics;
 using FootballPhysics.Mutants;
 using FootballPhysics.Passes;
+using FootballPhysics.Tests.Architecture;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 // Counts the code of the library that runs in a step: files, methods, lines of these methods, calls, and changes of file and folder.
-//   dotnet run -c Release --project tests/Passes [-- --list|--methods|--golden [--list]]
+//   dotnet run -c Release --project tests/Passes [-- --list|--methods|--sizes|--golden [--list]]
 // --list prints the files of a step. --methods prints its methods, each with its lines and its calls.
+// --sizes prints the working lines of each folder and the counts that tests/ceilings.tsv limits; nothing else runs.
 // --golden prints the share of Simulation and Contacts that the golden lines execute. With --list, it also prints the bodies with lines that they do not execute.
 // Each method of the sources is compiled with a mark, and each play is played twice: code that runs only in the first one initialises something.
 // Numerics and State do not count as folders.
+if (args.Contains("--sizes"))
+{
+    Console.WriteLine(CodeSize.Of(Path.Combine(LibrarySources.Root, "src")));
+    return 0;
+}
+
 if (args.Contains("--golden"))
 {
     return GoldenShare.Run(args.Contains("--list"));
