@@ -12,6 +12,11 @@ internal static class Program
             return QuickCommand.Run(args[1..]);
         }
 
+        if (args is ["paired", ..])
+        {
+            return PairedCommand.Run(args[1..]);
+        }
+
         IConfig config = DefaultConfig.Instance.AddColumn(new ErrorColumn());
         BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args, config);
         return 0;

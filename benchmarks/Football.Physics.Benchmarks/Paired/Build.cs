@@ -1,48 +1,51 @@
-using System.Collections;
 using System.Reflection;
 using System.Runtime.Loader;
 
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>A build of these benchmarks in a folder, loaded next to other builds together with its own library.</summary>
+/// <summary>The benchmarks of a folder and their library, loaded next to other copies.</summary>
 internal sealed class Build : AssemblyLoadContext
 {
-    private const string MainAssembly = "Football.Physics.Benchmarks";
-
     private readonly AssemblyDependencyResolver _resolver;
+    private readonly Func<string, (string Name, Func<(Func<double> Run, int Operations)>[] Make)[]> _rows;
 
-    private Build(string main)
-        : base(main) => _resolver = new AssemblyDependencyResolver(main);
-
-    /// <summary>Returns the kicks of a build by name: those of <see cref="KickTable"/>, in the default scene and in the published one.</summary>
-    /// <exception cref="InvalidOperationException">The folder has no build, or one with an incompatible table.</exception>
-    public static IReadOnlyDictionary<string, Workload> Kicks(string folder)
+    /// <summary>Loads the benchmarks of a folder.</summary>
+    public Build(string folder)
     {
-        string main = Path.Combine(Path.GetFullPath(folder), MainAssembly + ".dll");
-        if (!File.Exists(main))
-        {
-            throw new InvalidOperationException($"--against: {folder} has no {MainAssembly}.dll. Build the benchmarks of that version.");
-        }
-
-        var build = new Build(main);
-        Assembly benchmarks = build.LoadFromAssemblyPath(main);
-        Type scene = build.LoadFromAssemblyName(new AssemblyName("Football.Physics")).GetType("FootballPhysics.Scene", throwOnError: true)!;
-        (string Name, object Scene)[] scenes = [("default", Activator.CreateInstance(scene)!), ("published", scene.GetProperty(nameof(Scene.Published))!.GetValue(null)!)];
-        object table = benchmarks.GetType(typeof(KickTable).FullName!)?.GetProperty(nameof(KickTable.Rows))?.GetValue(null)
-            ?? throw new InvalidOperationException($"--against: the build in {folder} has no {nameof(KickTable)}.{nameof(KickTable.Rows)}. Choose a later commit.");
-        return ((IEnumerable)table).Cast<object>()
-            .SelectMany(row => scenes.Select(of => ($"{Get<string>(row, nameof(KickRow.Name))}; {of.Name}", Subject(row, of.Scene))))
-            .ToDictionary();
+        string main = PathOf(folder);
+        _resolver = new AssemblyDependencyResolver(main);
+        MethodInfo rows = LoadFromAssemblyPath(main).GetType(typeof(Build).FullName!, throwOnError: true)!.GetMethod(nameof(Share))!;
+        _rows = rows.CreateDelegate<Func<string, (string, Func<(Func<double>, int)>[])[]>>();
     }
+
+    /// <summary>Returns true if a folder contains the benchmarks.</summary>
+    public static bool Exists(string folder) => File.Exists(PathOf(folder));
+
+    /// <summary>Returns the workloads of a table's rows by name. Each has a second workload if a flight step is its unit.</summary>
+    public Dictionary<string, Func<Workload>[]> Rows(string table) =>
+        _rows(table).ToDictionary(row => row.Name, row => row.Make.Select(make => new Func<Workload>(() =>
+        {
+            (Func<double> run, int operations) = make();
+            return new Workload(run, operations);
+        })).ToArray());
+
+    /// <summary>Returns the rows in types of the runtime, which all copies of the benchmarks share.</summary>
+    public static (string Name, Func<(Func<double> Run, int Operations)>[] Make)[] Share(string table) =>
+    [
+        .. from row in Table.All.Single(one => one.Name == table).Rows()
+           from subject in row.Subjects
+           let flight = row.FlightUnit is { } method ? new[] { Shared(() => Workloads.Flight(new Scene(), method, ShotSets.Fast)) } : []
+           select ($"{table}: {row.Name}{(subject.Name.Length > 0 ? "; " : "")}{subject.Name}", flight.Prepend(Shared(subject.Make)).ToArray()),
+    ];
 
     protected override Assembly? Load(AssemblyName assemblyName) =>
         _resolver.ResolveAssemblyToPath(assemblyName) is { } path ? LoadFromAssemblyPath(path) : null;
 
-    private static Workload Subject(object row, object scene)
-    {
-        object workload = Get<Delegate>(row, nameof(KickRow.Subject)).DynamicInvoke(scene)!;
-        return new Workload(Get<Func<double>>(workload, nameof(Workload.Run)), Get<int>(workload, nameof(Workload.Operations)));
-    }
+    private static string PathOf(string folder) => Path.GetFullPath(Path.Combine(folder, typeof(Build).Assembly.GetName().Name + ".dll"));
 
-    private static T Get<T>(object of, string property) => (T)of.GetType().GetProperty(property)!.GetValue(of)!;
+    private static Func<(Func<double> Run, int Operations)> Shared(Func<Workload> make) => () =>
+    {
+        Workload workload = make();
+        return (workload.Run, workload.Operations);
+    };
 }

@@ -1,49 +1,88 @@
+using System.Globalization;
+
 namespace FootballPhysics.Benchmarks;
 
-/// <summary>`quick --against FOLDER`: times the kicks of this build and of another one, which alternate in one process.</summary>
+/// <summary>`paired FOLDER`: times the rows of `quick` with this library and with that of another folder, which alternate in one process.</summary>
 internal static class PairedCommand
 {
-    /// <summary>A kick that takes longer than this, relative to the other build, is a regression.</summary>
-    public const double Most = 1.05;
+    private const string Usage = "paired FOLDER [--only TEXT] [--bound RATIO] [--runs N] [--seconds S for each row and run]";
 
-    /// <summary>Times the kicks that both builds have.</summary>
-    /// <returns>0; 1 if a kick takes longer than <see cref="Most"/>; 2 if the folder has no build to compare with.</returns>
-    public static int Run(string folder, double seconds)
+    /// <summary>Times the rows.</summary>
+    /// <returns>0; 1 if a row is above its bound in all runs; 2 if nothing can be compared.</returns>
+    public static int Run(string[] arguments)
     {
-        try
+        string? only = null;
+        double common = 1.03;
+        double seconds = 0.2;
+        int runs = 3;
+        for (int i = 1; i < arguments.Length; i += 2)
         {
-            return Compare(folder, seconds);
+            string value = i + 1 < arguments.Length ? arguments[i + 1] : "";
+            bool known = arguments[i] switch
+            {
+                "--only" => (only = value).Length > 0,
+                "--bound" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out common) && common > 0,
+                "--seconds" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out seconds) && seconds > 0,
+                "--runs" => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out runs) && runs > 0,
+                _ => false,
+            };
+            if (!known)
+            {
+                return Refuse($"'{arguments[i]} {value}' is not understood. Usage: {Usage}");
+            }
         }
-        catch (InvalidOperationException refused)
+
+        if (arguments.Length == 0 || !Build.Exists(arguments[0]))
         {
-            Console.Error.WriteLine(refused.Message);
-            return 2;
+            return Refuse($"The folder of the other benchmarks is missing. Usage: {Usage}");
         }
+
+        var bounds = new Bounds(common, File.ReadLines(Path.Combine(AppContext.BaseDirectory, "bounds.tsv")));
+        (string Table, PairedRow[] Rows)[] tables = [.. Table.All.Select(table => (table.Name, Build.Share(table.Name).Select(row => new PairedRow(row.Name, bounds)).ToArray()))];
+        string[] unused = [.. bounds.Unused([.. tables.SelectMany(table => table.Rows).Select(row => row.Name)])];
+        if (unused.Length > 0)
+        {
+            return Refuse($"No row matches '{unused[0]}' of bounds.tsv. Correct the pattern or remove the line.");
+        }
+
+        PairedRow[] rows = [.. tables.SelectMany(table => Compare(arguments[0], table.Table, [.. table.Rows.Where(row => Table.Contains(row.Name, only))], runs, seconds))];
+        string[] fail = [.. rows.Where(row => row.Fails).Select(row => row.Name)];
+        Console.WriteLine($"{rows.Length} rows; {rows.Count(row => row.Reason is not null)} cannot be compared; {fail.Length} above the bound in all {runs} runs{(fail.Length > 0 ? ":" : ".")}");
+        foreach (string name in fail)
+        {
+            Console.WriteLine(name);
+        }
+
+        return rows.All(row => row.Reason is not null) ? Refuse("No row was compared.") : fail.Length > 0 ? 1 : 0;
     }
 
-    private static int Compare(string folder, double seconds)
+    private static int Refuse(string message)
     {
-        // Load both in the same way, so that both have the same extra code.
-        IReadOnlyDictionary<string, Workload> now = Build.Kicks(AppContext.BaseDirectory);
-        IReadOnlyDictionary<string, Workload> then = Build.Kicks(folder);
-        string[] names = [.. now.Keys.Where(then.ContainsKey)];
-        if (names.Length == 0)
+        Console.Error.WriteLine(message);
+        return 2;
+    }
+
+    /// <summary>Times rows of a table in several runs, and prints them.</summary>
+    /// <remarks>Each run loads and compiles both libraries again, so that their code lies at other addresses. The order of the two alternates.</remarks>
+    private static PairedRow[] Compare(string folder, string table, PairedRow[] rows, int runs, double seconds)
+    {
+        for (int run = 0; run < runs && rows.Length > 0; run++)
         {
-            throw new InvalidOperationException($"--against: the builds have no kick in common. Names in {folder}: {string.Join(" | ", then.Keys)}.");
+            PairedRow.Time(rows, new Build(AppContext.BaseDirectory), new Build(folder), table, run % 2 == 0, seconds);
         }
 
-        Stopwatching.WarmUp([.. names.SelectMany(name => new[] { now[name], then[name] })]);
-        int regressions = 0;
-        Console.WriteLine("| kick: | ns a step | before | ratio | |");
-        Console.WriteLine("|---|--:|--:|--:|---|");
-        foreach (string name in names)
+        if (rows.Length > 0)
         {
-            Timing time = Stopwatching.Measure(now[name], then[name], seconds / names.Length);
-            bool slower = time.Ratio > Most;
-            regressions += slower ? 1 : 0;
-            Console.WriteLine($"| {name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {time.Ratio:F3} | {(slower ? "**slower**" : "")} |");
+            Console.WriteLine($"| {table} | ns | before | ratio in each run | flight steps | bound | |");
+            Console.WriteLine("|---|--:|--:|---|--:|--:|---|");
+            foreach (PairedRow row in rows)
+            {
+                Console.WriteLine(row.Line());
+            }
+
+            Console.WriteLine();
         }
 
-        return regressions == 0 ? 0 : 1;
+        return rows;
     }
 }

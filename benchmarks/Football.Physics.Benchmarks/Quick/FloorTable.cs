@@ -11,19 +11,19 @@ internal static class FloorTable
     private const int Operations = 8192;
     private static readonly Scene s_constant = Scene.Published with { Forces = ForceSet.Constant };
 
-    public static IReadOnlyList<(string Name, string PartOf, Func<Workload> Subject)> Rows { get; } =
+    public static IReadOnlyList<FloorRow> Rows { get; } =
     [
-        ("a call that adds to a clock in memory", "a stopped ball", Clock),
-        ("the same, and a fall: position and velocity in memory", "vacuum, no air", Fall),
-        ("RK2 of constant coefficients alone, without clock, position, events and guards", "constant coefficients, RK2", () => Fly<ConstantAir, MidpointRungeKutta>(new ConstantAir(s_constant))),
-        ("the same of the published laws", "flight step, RK2", () => Fly<TableAir<PublishedLaw>, MidpointRungeKutta>(new TableAir<PublishedLaw>(Scene.Published))),
-        ("the same of the measured laws", "flight step, RK2", () => Fly<TableAir<MeasuredLaw>, MidpointRungeKutta>(new TableAir<MeasuredLaw>(new Scene()))),
-        ("RK4 of the published laws alone", "flight step, RK4", () => Fly<TableAir<PublishedLaw>, ClassicalRungeKutta>(new TableAir<PublishedLaw>(Scene.Published))),
-        ("the same of the measured laws", "flight step, RK4", () => Fly<TableAir<MeasuredLaw>, ClassicalRungeKutta>(new TableAir<MeasuredLaw>(new Scene()))),
+        new("a call that adds to a clock in memory", "a stopped ball", Clock),
+        new("the same, and a fall: position and velocity in memory", "vacuum, no air", Fall),
+        new("RK2 of constant coefficients alone, without clock, position, events and guards", "constant coefficients, RK2", () => Fly<ConstantAir, MidpointRungeKutta>(new ConstantAir(s_constant))),
+        new("RK2 of the published laws alone", "flight step, RK2", () => Fly<TableAir<PublishedLaw>, MidpointRungeKutta>(new TableAir<PublishedLaw>(Scene.Published))),
+        new("RK2 of the measured laws alone", "flight step, RK2", () => Fly<TableAir<MeasuredLaw>, MidpointRungeKutta>(new TableAir<MeasuredLaw>(new Scene()))),
+        new("RK4 of the published laws alone", "flight step, RK4", () => Fly<TableAir<PublishedLaw>, ClassicalRungeKutta>(new TableAir<PublishedLaw>(Scene.Published))),
+        new("RK4 of the measured laws alone", "flight step, RK4", () => Fly<TableAir<MeasuredLaw>, ClassicalRungeKutta>(new TableAir<MeasuredLaw>(new Scene()))),
     ];
 
     /// <summary>Times the rows.</summary>
-    public static void Print(Action<string> print, IReadOnlyList<(string Name, string PartOf, Func<Workload> Subject)> rows, double share)
+    public static void Print(Action<string> print, IReadOnlyList<FloorRow> rows, double share)
     {
         Workload plain = Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, ShotSets.Fast);
         Workload[] work = [.. rows.Select(row => row.Subject())];

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "What a scene does not need is free": RK2 at 10 ms.</summary>
@@ -23,6 +25,27 @@ internal static class FreeTable
         new("rolling, no aerodynamics", () => Workloads.Chain(Scene.Published with { Forces = ForceSet.None }, Integrator.Rk2, ShotSets.Rolling), Advance + "FootballPhysics.RollingSystem"),
         new("stopped", () => Workloads.Stopped(Integrator.Rk2), null),
     ];
+
+    /// <summary>Times the rows, and reads the sizes of their code.</summary>
+    public static void Print(Action<string> print, IReadOnlyList<FreeRow> rows, double share)
+    {
+        Workload all = Rows[0].Subject();
+        (FreeRow Row, Workload Subject)[] work = [.. rows.Select(row => (row, row.Subject()))];
+        Stopwatching.WarmUp([all, .. work.Select(w => w.Subject)]);
+        print("");
+        print("## What a scene does not need is free");
+        print("");
+        print("RK2 at 10 ms. Code: the size of the integrator's method in bytes, as the JIT lists it (`DOTNET_JitDisasmSummary`), and that of the method around it, which finds events. Buoyancy is part of gravity, so the code is the same without it.");
+        print("");
+        print("| | ns a step | all forces then, ns | ratio | code | around it |");
+        print("|---|--:|--:|--:|--:|--:|");
+        foreach ((FreeRow row, Workload subject) in work)
+        {
+            Timing time = Stopwatching.Measure(subject, all, share);
+            (int? method, int? around) = CodeSizes.Of(Rows.TakeWhile(r => r != row).Count(), row);
+            print($"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {method?.ToString(CultureInfo.InvariantCulture) ?? "–"} | {around?.ToString(CultureInfo.InvariantCulture) ?? "–"} |");
+        }
+    }
 
     private static FreeRow Flight(string name, ForceSet forces) =>
         new(name, () => Workloads.Flight(Scene.Published with { Forces = forces }, Integrator.Rk2, ShotSets.Fast));

@@ -5,4 +5,7 @@ namespace FootballPhysics.Benchmarks;
 /// <param name="Target">The ratio to reach; null if there is none.</param>
 /// <param name="Yardstick">The comparison for the subject.</param>
 /// <param name="Make">Makes the two workloads.</param>
-internal sealed record GroupRow(string Name, double? Target, string Yardstick, Func<(Workload Subject, Workload Yardstick)> Make);
+internal sealed record GroupRow(string Name, double? Target, string Yardstick, Func<(Workload Subject, Workload Yardstick)> Make) : Row(Name)
+{
+    public override IEnumerable<(string Name, Func<Workload> Make)> Subjects => Only(() => Make().Subject);
+}

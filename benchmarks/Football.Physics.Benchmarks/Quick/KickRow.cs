@@ -5,4 +5,7 @@ namespace FootballPhysics.Benchmarks;
 /// <param name="Target">The ratio to reach in the default scene.</param>
 /// <param name="Subject">Makes the workload in a scene.</param>
 /// <param name="Yardstick">Makes the yardstick, in the same scene.</param>
-internal sealed record KickRow(string Name, double Target, Func<Scene, Workload> Subject, Func<Scene, Workload> Yardstick);
+internal sealed record KickRow(string Name, double Target, Func<Scene, Workload> Subject, Func<Scene, Workload> Yardstick) : Row(Name)
+{
+    public override IEnumerable<(string Name, Func<Workload> Make)> Subjects => InScenes(Subject);
+}

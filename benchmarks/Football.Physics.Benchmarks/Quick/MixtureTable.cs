@@ -6,9 +6,7 @@ internal static class MixtureTable
     /// <summary>The noise of a ratio within one run.</summary>
     private const double Noise = 0.03;
 
-    private static readonly Integrator[] s_integrators = [Integrator.Euler, Integrator.SemiImplicitEuler, Integrator.Rk2, Integrator.Rk4];
-
-    public static IReadOnlyList<(string Name, double Target, Func<Scene, Scene> Scene)> Rows { get; } =
+    public static IReadOnlyList<MixtureRow> Rows { get; } =
     [
         Laws("without drag", 1.00, forces => forces with { Drag = ForceLaw.None }),
         Laws("without Magnus force", 1.00, forces => forces with { Magnus = ForceLaw.None }),
@@ -22,12 +20,12 @@ internal static class MixtureTable
         Laws("all coefficients constant", 0.65, forces => forces with { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant }),
         Laws("no air", 0.13, forces => forces with { Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }),
         .. BallProperties.Presets.Select(preset => Ball(preset.Key, preset.Value)),
-        ("thin air, 0.9 kg/m³", 1.00, scene => scene with { Air = scene.Air with { Density = 0.9 } }),
-        ("steady wind", 1.00, scene => scene with { Air = scene.Air with { Wind = new Vector3d(5, 0, 2) } }),
+        new("thin air, 0.9 kg/m³", 1.00, scene => scene with { Air = scene.Air with { Density = 0.9 } }),
+        new("steady wind", 1.00, scene => scene with { Air = scene.Air with { Wind = new Vector3d(5, 0, 2) } }),
     ];
 
     /// <summary>Times the rows.</summary>
-    public static void Print(Action<string> print, IReadOnlyList<(string Name, double Target, Func<Scene, Scene> Scene)> rows, double share)
+    public static void Print(Action<string> print, IReadOnlyList<MixtureRow> rows, double share)
     {
         print("");
         print("## What a scene contains");
@@ -37,25 +35,25 @@ internal static class MixtureTable
         print("| | Euler | semi-implicit Euler | RK2 | RK4 | reach | | published: Euler | semi-implicit Euler | RK2 | RK4 | |");
         print("|---|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|---|");
         Scene[] complete = [new Scene(), Scene.Published];
-        foreach ((string name, double target, Func<Scene, Scene> change) in rows)
+        foreach (MixtureRow row in rows)
         {
-            var cells = new List<string> { name };
+            var cells = new List<string> { row.Name };
             foreach (Scene scene in complete)
             {
                 bool reached = true;
-                foreach (Integrator integrator in s_integrators)
+                foreach ((_, Integrator integrator) in MixtureRow.Methods)
                 {
-                    Workload subject = Workloads.Flight(change(scene), integrator, ShotSets.Fast);
+                    Workload subject = row.Flight(scene, integrator);
                     Workload yardstick = Workloads.Flight(scene, integrator, ShotSets.Fast);
                     Stopwatching.WarmUp([subject, yardstick]);
                     double ratio = Stopwatching.Measure(subject, yardstick, 0.1 * share).Ratio;
-                    reached &= ratio <= target + Noise;
+                    reached &= ratio <= row.Target + Noise;
                     cells.Add(Text.Number(ratio));
                 }
 
                 if (scene == complete[0])
                 {
-                    cells.Add($"≤ {Text.Number(target)}");
+                    cells.Add($"≤ {Text.Number(row.Target)}");
                 }
 
                 cells.Add(reached ? "reached" : "**missed**");
@@ -65,9 +63,9 @@ internal static class MixtureTable
         }
     }
 
-    private static (string Name, double Target, Func<Scene, Scene> Scene) Ball(string name, BallProperties ball) =>
-        ("ball: " + name, 1.00, scene => scene with { Ball = ball });
+    private static MixtureRow Ball(string name, BallProperties ball) =>
+        new("ball: " + name, 1.00, scene => scene with { Ball = ball });
 
-    private static (string Name, double Target, Func<Scene, Scene> Scene) Laws(string name, double target, Func<ForceSet, ForceSet> change) =>
-        (name, target, scene => scene with { Forces = change(scene.Forces) });
+    private static MixtureRow Laws(string name, double target, Func<ForceSet, ForceSet> change) =>
+        new(name, target, scene => scene with { Forces = change(scene.Forces) });
 }

@@ -15,10 +15,10 @@ internal static class NetTable
     /// <summary>The number of times that a step is timed; the shortest time counts.</summary>
     private const int Repeats = 5;
 
-    public static IReadOnlyList<(string Name, Integrator Integrator)> Rows { get; } = [("RK2", Integrator.Rk2), ("RK4", Integrator.Rk4)];
+    public static IReadOnlyList<NetRow> Rows { get; } = [new("RK2", Integrator.Rk2), new("RK4", Integrator.Rk4)];
 
     /// <summary>Simulates and times the rows.</summary>
-    public static void Print(Action<string> print, IReadOnlyList<(string Name, Integrator Integrator)> rows)
+    public static void Print(Action<string> print, IReadOnlyList<NetRow> rows, double share)
     {
         print("");
         print("## In the net of a goal");
@@ -27,14 +27,19 @@ internal static class NetTable
         print("");
         print("| | µs a step | worst, µs | evaluations a step | most | lying, ns | look-ahead of 3 s, µs | error, m |");
         print("|---|--:|--:|--:|--:|--:|--:|--:|");
-        foreach ((string name, Integrator integrator) in rows)
+        foreach (NetRow row in rows)
         {
-            var simulator = new Simulator(new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1) }] }, new SolverSettings { Integrator = integrator });
+            Simulator simulator = row.Simulator();
             BallState[] shots = Caught(simulator);
-            Stopwatching.WarmUp([new Workload(() => Play(simulator, shots), shots.Length)]);
+            Workload flight = Workloads.Flight(new Scene(), row.Integrator, ShotSets.Fast);
+            Workload lying = Lying(simulator);
+            Workload ahead = LookAhead(simulator);
+            Stopwatching.WarmUp([Play(simulator), flight, lying, ahead]);
             var net = new Net();
             Measure(simulator, shots, net);
-            print(string.Create(CultureInfo.InvariantCulture, $"| {name} | {Text.Number(1e6 * net.Seconds / net.Steps)} | {Text.Number(1e6 * net.Worst)} | {Text.Number((double)net.Evaluations / net.Steps)} | {net.Most} | {Text.Number(1e9 * Lying(simulator))} | {Text.Number(1e6 * LookAhead(simulator, shots))} | {Text.Number(Error(simulator, shots))} |"));
+            double rest = Stopwatching.Measure(lying, flight, 0.5 * share).Nanoseconds;
+            double look = Stopwatching.Measure(ahead, flight, 0.5 * share).Nanoseconds;
+            print(string.Create(CultureInfo.InvariantCulture, $"| {row.Name} | {Text.Number(1e6 * net.Seconds / net.Steps)} | {Text.Number(1e6 * net.Worst)} | {Text.Number((double)net.Evaluations / net.Steps)} | {net.Most} | {Text.Number(rest)} | {Text.Number(1e-3 * look)} | {Text.Number(Error(simulator, shots))} |"));
         }
     }
 
@@ -62,24 +67,33 @@ internal static class NetTable
         }
     }
 
-    /// <summary>Simulates all shots to rest.</summary>
-    private static double Play(Simulator simulator, BallState[] shots)
+    /// <summary>Simulates all shots to rest; the time is per step.</summary>
+    public static Workload Play(Simulator simulator)
     {
+        BallState[] shots = Caught(simulator);
         var log = new StepLog();
-        double sum = 0;
-        foreach (BallState shot in shots)
+        int steps = 0;
+        double Run()
         {
-            BallState state = shot;
-            while (state.Time < Longest && state.Motion != MotionState.Rest)
+            double sum = 0;
+            foreach (BallState shot in shots)
             {
-                log.Clear();
-                simulator.Step(ref state, ShotSets.TimeStep, log);
+                BallState state = shot;
+                while (state.Time < Longest && state.Motion != MotionState.Rest)
+                {
+                    log.Clear();
+                    simulator.Step(ref state, ShotSets.TimeStep, log);
+                    steps++;
+                }
+
+                sum += state.Position.X;
             }
 
-            sum += state.Position.X;
+            return sum;
         }
 
-        return sum;
+        Run();
+        return new Workload(Run, steps);
     }
 
     private static double Time(Simulator simulator, in BallState from)
@@ -102,53 +116,36 @@ internal static class NetTable
         return least;
     }
 
-    /// <summary>Returns the time of a step of a ball that lies on the roof net.</summary>
-    private static double Lying(Simulator simulator)
+    /// <summary>Steps a ball that lies on the roof net.</summary>
+    /// <exception cref="InvalidOperationException">The ball does not come to rest there.</exception>
+    public static Workload Lying(Simulator simulator)
     {
+        const int Steps = 1000;
         var log = new StepLog();
-        BallState state = simulator.Launch(new Vector3d(0, 2.8, -12.5), Vector3d.Zero, Vector3d.Zero);
-        simulator.Run(ref state, ShotSets.TimeStep, 10 * Longest, StopAt.Rest, log);
-        if (state.Motion != MotionState.Rest || state.Nets == 0)
-        {
-            return double.NaN;
-        }
-
-        // One step is shorter than the clock can resolve. The first round compiles the step.
-        const int Steps = 10_000;
-        double seconds = 0;
-        for (int round = 0; round < Repeats; round++)
-        {
-            long began = Stopwatch.GetTimestamp();
-            for (int i = 0; i < Steps; i++)
-            {
-                simulator.Step(ref state, ShotSets.TimeStep, log);
-            }
-
-            seconds = Stopwatch.GetElapsedTime(began).TotalSeconds;
-        }
-
-        return seconds / Steps;
+        BallState lying = simulator.Launch(new Vector3d(0, 2.8, -12.5), Vector3d.Zero, Vector3d.Zero);
+        simulator.Run(ref lying, ShotSets.TimeStep, 10 * Longest, StopAt.Rest, log);
+        return lying.Motion == MotionState.Rest && lying.Nets != 0
+            ? new Workload(() => Batches.Chain(simulator, [lying], Steps, ShotSets.TimeStep, log), Steps)
+            : throw new InvalidOperationException("The ball does not come to rest on the roof net.");
     }
 
-    private static double LookAhead(Simulator simulator, BallState[] shots)
+    /// <summary>Computes look-aheads of the shots.</summary>
+    public static Workload LookAhead(Simulator simulator)
     {
+        BallState[] shots = Caught(simulator);
         var request = new LookAheadRequest { Duration = Ahead };
         var path = new Trajectory();
-        double all = 0;
-        foreach (BallState shot in shots)
-        {
-            double least = double.PositiveInfinity;
-            for (int i = 0; i < Repeats; i++)
+        return new Workload(
+            () =>
             {
-                long began = Stopwatch.GetTimestamp();
-                simulator.LookAhead(in shot, request, path);
-                least = Math.Min(least, Stopwatch.GetElapsedTime(began).TotalSeconds);
-            }
+                foreach (BallState shot in shots)
+                {
+                    simulator.LookAhead(in shot, request, path);
+                }
 
-            all += least;
-        }
-
-        return all / shots.Length;
+                return path.EndTime;
+            },
+            shots.Length);
     }
 
     /// <summary>Returns the mean error of the motion in the net: both methods of stepping start from the same state at the first contact.</summary>

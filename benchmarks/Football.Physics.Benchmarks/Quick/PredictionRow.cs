@@ -1,8 +1,10 @@
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of the table of predictors: requests, and the method that solves them.</summary>
-internal sealed record PredictionRow(string Name, Func<ThesisAimer> Aimer, Func<AimRequest[]> Requests, AimMethod Method)
+internal sealed record PredictionRow(string Name, Func<ThesisAimer> Aimer, Func<AimRequest[]> Requests, AimMethod Method) : Row(Name)
 {
+    public override IEnumerable<(string Name, Func<Workload> Make)> Subjects => Only(Subject);
+
     /// <summary>The largest number of plain RK2 steps per aim; null if the row has no target.</summary>
     public double? Target { get; init; }
 

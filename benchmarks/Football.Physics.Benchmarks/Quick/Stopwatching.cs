@@ -11,6 +11,10 @@ internal static class Stopwatching
 
     private const int MostRounds = 2000;
     private const int WarmUpCalls = 40;
+
+    /// <summary>Limits of the calls of one workload in a pass: after this time, s, and this number of calls, a slow workload has called the library often enough.</summary>
+    private const double WarmUpSeconds = 0.1;
+    private const int LeastCalls = 12;
     private const int LeastPasses = 5;
     private const int MostPasses = 16;
     private static double _sink;
@@ -27,7 +31,8 @@ internal static class Stopwatching
             long compiled = JitInfo.GetCompiledMethodCount();
             foreach (Workload workload in workloads)
             {
-                for (int i = 0; i < WarmUpCalls; i++)
+                long began = Stopwatch.GetTimestamp();
+                for (int i = 0; i < LeastCalls || (i < WarmUpCalls && Stopwatch.GetElapsedTime(began).TotalSeconds < WarmUpSeconds); i++)
                 {
                     _sink += workload.Run();
                 }

@@ -1,8 +1,10 @@
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of the table of times: subject, yardstick and target.</summary>
-internal sealed record TargetRow(string Name, Func<Workload> Subject, Func<Workload> Yardstick)
+internal sealed record TargetRow(string Name, Func<Workload> Subject, Func<Workload> Yardstick) : Row(Name)
 {
+    public override IEnumerable<(string Name, Func<Workload> Make)> Subjects => Without512Bit ? [] : Only(Subject);
+
     /// <summary>The ratio to reach; null if the row has no target.</summary>
     public double? Target { get; init; }
 

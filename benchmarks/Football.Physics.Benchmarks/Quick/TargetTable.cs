@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "Time for one ball".</summary>
@@ -56,6 +58,29 @@ internal static class TargetTable
         .. QueryRows.All,
         .. MeasuredRows.All,
     ];
+
+    /// <summary>Times the rows.</summary>
+    public static void Print(Action<string> print, IReadOnlyList<TargetRow> rows, double share)
+    {
+        (TargetRow Row, Workload Subject, Workload Yardstick)[] work = [.. rows.Select(row => (row, row.Subject(), row.Yardstick()))];
+        Stopwatching.WarmUp([.. work.SelectMany(w => new[] { w.Subject, w.Yardstick })]);
+        print("");
+        print("## Time for one ball");
+        print("");
+        print("10 ms steps through the public `Simulator.Step`, with events, and with the jump of the drag law located.");
+        print("Error: the mean distance between the landings (for a look-ahead: the ends) and those of RK4 at 0.5 ms.");
+        print("");
+        print("| | ns | yardstick, ns | ratio | reach | | bytes | error | thesis (Unity) |");
+        print("|---|--:|--:|--:|--:|---|--:|--:|--:|");
+        foreach ((TargetRow row, Workload subject, Workload yardstick) in work)
+        {
+            Timing time = row.Without512Bit ? InChild(row) : Stopwatching.Measure(subject, yardstick, share);
+            string verdict = row.Target is { } target ? (time.Ratio <= target ? "reached" : "**missed**") : "";
+            string reach = row.Target is { } t ? $"≤ {Text.Number(t)}" : "";
+            string error = row.Error is { } of ? Text.Length(of()) + (row.Note is { } note ? ", " + note() : "") : "";
+            print($"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {reach} | {verdict} | {Text.Number(time.Bytes)} | {error} | {row.Thesis} |");
+        }
+    }
 
     private static Workload PlainRk2() => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, Fast);
 
@@ -116,4 +141,14 @@ internal static class TargetTable
         {
             Error = () => Errors.MathNetLanding(integrator, H, Fast),
         };
+
+    private static Timing InChild(TargetRow row)
+    {
+        // .NET 10 renamed the switch; each runtime ignores the other name.
+        var environment = new Dictionary<string, string> { ["DOTNET_EnableAVX512"] = "0", ["DOTNET_EnableAVX512F"] = "0" };
+        int index = Rows.TakeWhile(r => r != row).Count();
+        double[] values = [.. Child.Run(environment, "quick", "--child", "target", index.ToString(CultureInfo.InvariantCulture))
+            .Split(' ').Select(v => double.Parse(v, CultureInfo.InvariantCulture))];
+        return new Timing(values[0], values[1], values[2], values[3]);
+    }
 }

@@ -5,4 +5,7 @@ namespace FootballPhysics.Benchmarks;
 /// <param name="Target">The ratio to reach in the default scene.</param>
 /// <param name="Subject">Makes the workload.</param>
 /// <param name="From">The start of the shots, m.</param>
-internal sealed record WorldRow(string Name, double? Target, Func<StadiumScenes, Workload> Subject, Vector3d From);
+internal sealed record WorldRow(string Name, double? Target, Func<StadiumScenes, Workload> Subject, Vector3d From) : Row(Name)
+{
+    public override IEnumerable<(string Name, Func<Workload> Make)> Subjects => InScenes(scene => Subject(new StadiumScenes(scene)));
+}

@@ -53,6 +53,7 @@ internal sealed class ContactCase
         ("wind presses it against a board", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0))], default)),
         ("wind presses it into a corner", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0)), Board(new Vector3d(0, 0, 1))], default)),
         ("in a tilted gutter", Gutter),
+        ("wind presses it under a board that leans over", Wedge),
         ("between a player who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, double.PositiveInfinity)),
         ("between a player of 75 kg who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, 75)),
         ("kicked in the net of a goal", InNet),
@@ -125,6 +126,14 @@ internal sealed class ContactCase
         Scene scene = InWind(new Vector3d(6, 0, boards.Length > 1 ? -5 : 0)) with { Obstacles = boards };
         Vector3d spin = velocity == default ? new Vector3d(0, 60, 0) : Vector3d.Cross(Vector3d.Up, velocity) / Radius;
         return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), velocity, spin, atRest);
+    }
+
+    /// <summary>Presses the ball into the wedge between the ground and a board that leans over it, along which it moves.</summary>
+    private static ContactCase Wedge(Integrator integrator, bool atRest)
+    {
+        const double Lean = 50 * Math.PI / 180;
+        Scene scene = InWind(new Vector3d(6, 0, 0)) with { Obstacles = [Board(new Vector3d(-Math.Sin(Lean), -Math.Cos(Lean), 0))] };
+        return new ContactCase(scene, integrator, new Vector3d(-Radius / Math.Tan(Lean), Radius, 0), new Vector3d(0, 0, -6), new Vector3d(-6 / Radius, 0, 0), atRest);
     }
 
     private static ContactCase WithPlayer(Integrator integrator, bool atRest, double mass)
