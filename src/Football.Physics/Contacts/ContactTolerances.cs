@@ -38,10 +38,6 @@ internal static class ContactTolerances
     /// <remarks>Above: the ball passes a narrow next tile. Below: rounding keeps the ball on this side, and pieces of no length follow.</remarks>
     public const double LeastBeyondEdge = 1e-12;
 
-    /// <summary>A ball farther than this from a surface is projected onto it before a whole step, m.</summary>
-    /// <remarks>Above: the gap adds up over steps until the ball no longer touches. Below: rounding prevents whole steps.</remarks>
-    public const double OffSurface = 0.1 * Touching;
-
     /// <summary>The ball touches a surface if the gap is below this, m.</summary>
     /// <remarks>Above: impacts come early, and tiles lower by less than this count as flush. Below: a projected ball (<see cref="ClosedGap"/>)
     /// no longer touches its carrier after a piece.</remarks>
@@ -111,10 +107,6 @@ internal static class ContactTolerances
     /// flight alternate.</remarks>
     public const double Lingering = 2e-4;
 
-    /// <summary>The margin of the search for other objects beside a line of contact, m.</summary>
-    /// <remarks>Above: a ball in a gutter leaves the whole step too often. Below: the ball hits an object within the whole step.</remarks>
-    public const double LineRoom = 5e-3;
-
     // ---- Speeds in m/s; spins, multiplied by the radius ----
 
     /// <summary>The speed below which a ball is at a standstill, m/s; for spins, times the radius.</summary>
@@ -124,10 +116,6 @@ internal static class ContactTolerances
     /// <summary>The change of the velocity by a projection below which computed rates stay valid, m/s.</summary>
     /// <remarks>Above: rates of another motion start the piece. Below: each piece computes its rates twice.</remarks>
     public const double Unmoved = 1e-12;
-
-    /// <summary>The maximum velocity off the line of two contacts, m/s.</summary>
-    /// <remarks>Above: the line step drops a motion that exists. Below: rounding prevents line steps.</remarks>
-    public const double OffLine = 1e-12;
 
     /// <summary>The correction of a group's speeds below which the forces stay valid, m/s.</summary>
     /// <remarks>Above: forces of another motion start the step. Below: each step computes its forces twice.</remarks>
@@ -276,11 +264,6 @@ internal static class ContactTolerances
     /// <summary>A plane whose normal has a smaller y than this is a wall: no position is above it.</summary>
     /// <remarks>Above: steep ground counts as a wall. Below: the height above it overflows.</remarks>
     public const double Wall = 1e-6;
-
-    /// <summary>The loads of a slide on two surfaces are determined if the determinant exceeds this.</summary>
-    /// <remarks>Friction on one surface may press the ball onto the other. Above: slides in gutters leave the whole step. Below: jammed
-    /// balls get huge loads.</remarks>
-    public const double LeastDeterminant = 1e-3;
 
     // ---- Shares, relative to the quantity in question ----
 

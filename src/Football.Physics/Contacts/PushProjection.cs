@@ -90,9 +90,6 @@ internal unsafe struct PushProjection
             && Vector3d.Dot(Vector3d.Cross(in normals[1], in normals[2]), in third) > 0 && Vector3d.Dot(Vector3d.Cross(in normals[2], in normals[0]), in third) > 0;
     }
 
-    /// <summary>True if three normals lie in one plane.</summary>
-    public static bool ArePlanar(Vector3d* normals) => Math.Abs(Vector3d.Dot(in normals[2], Vector3d.Cross(in normals[0], in normals[1]))) <= ContactTolerances.Independent;
-
     /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
 

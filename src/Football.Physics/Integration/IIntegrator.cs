@@ -5,8 +5,8 @@ namespace FootballPhysics.Integration;
 
 /// <summary>A one-step method. To add one, implement this interface, and add a name to <see cref="Integrator"/> and <see cref="StepperFactory"/>.</summary>
 /// <remarks>
-/// Groups of balls and balls on a line of contact take their whole steps with the standard method of the same order, 1, 2 or 4
-/// (<see cref="LineStep"/>, <see cref="ClusterSystem"/>). With other orders they take pieces and parts.
+/// Groups of balls take their whole steps with the standard method of the same order, 1, 2 or 4 (<see cref="ClusterSystem"/>). With other orders
+/// they take parts.
 /// </remarks>
 internal interface IIntegrator
 {

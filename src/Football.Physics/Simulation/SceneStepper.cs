@@ -11,7 +11,6 @@ namespace FootballPhysics.Simulation;
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump in the drag law, the end of the spin or a contact;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of sliding or rolling on flat ground without events;</item>
-/// <item><see cref="LineStep{TAir}"/>: a whole step of rolling or spinning between stationary surfaces;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: sliding or rolling on any surface, up to a jump, the end of the slip, rest or a
 /// contact;</item>
 /// <item><see cref="ContactSetPhase{TIntegrator}"/>: the same on several surfaces at once;</item>
@@ -32,7 +31,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
-    private LineStep? _line; // null if it does not cover the scene
     private FlatSurfaceStep? _flat; // null if forces turn the spin axis
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
@@ -100,21 +98,18 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        // Try a whole step on flat ground or on several surfaces; otherwise take the step in pieces. The index of an engine collider is valid only
-        // within a step.
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
-            && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
+        // Try a whole step on flat ground; otherwise take the step in pieces.
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)))
         {
             TakePieces(ref s, dt, log, WholeStep.NotTaken, default);
         }
     }
 
-    /// <summary>Compiles the whole-step methods on flat ground for one air model.</summary>
+    /// <summary>Compiles the whole step on flat ground for one air model.</summary>
     protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
         where TAir : struct, IFlightAir
     {
         _flat = new FlatSurfaceStep<TAir>(scene, settings, _integrator, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
-        _line = LineStep<TAir>.Covers(Around, _integrator.Order) ? new LineStep<TAir>(Around, in air, in _pulled, _integrator.Order) : null;
     }
 
     public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
@@ -402,9 +397,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <remarks>On flat ground the rest of the step is tried as a whole step first.</remarks>
     private void TakeSurface(ref BallState s, ref StepRun run)
     {
-        bool isUntried = run.Whole is WholeStep.Untried or WholeStep.Near;
-        if (!(run.Part > 0) && ((isUntried && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
-            || (_line is not null && !run.Jumped && (isUntried || World.Engine is not null) && _line.TryWhole(ref s, run.Left, run.End, run.Log))))
+        if (!(run.Part > 0) && run.Whole is WholeStep.Untried or WholeStep.Near && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
         {
             run.Left = 0;
         }

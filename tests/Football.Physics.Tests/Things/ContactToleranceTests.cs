@@ -23,7 +23,7 @@ public sealed class ContactToleranceTests
     [Fact]
     public void A_projected_ball_touches_and_a_touching_ball_does_not_overlap()
     {
-        Assert.True(10 * ContactTolerances.ClosedGap <= ContactTolerances.OffSurface);
+        Assert.True(100 * ContactTolerances.ClosedGap <= ContactTolerances.Touching);
         Assert.True(2 * ContactTolerances.Touching < ContactTolerances.Overlap);
         Assert.True(ContactTolerances.JumpWidth < ContactTolerances.BeyondJump);
         Assert.True(ContactTolerances.EventWidth < ContactTolerances.Beyond && ContactTolerances.SetEventWidth < ContactTolerances.Beyond);
@@ -50,7 +50,6 @@ public sealed class ContactToleranceTests
         ContactTolerances.LocatedGap,
         ContactTolerances.BallsTouch,
         ContactTolerances.ClosedGap,
-        ContactTolerances.OffSurface,
         ContactTolerances.Touching,
         ContactTolerances.Overlap,
         ContactTolerances.EnteredUnloaded,
