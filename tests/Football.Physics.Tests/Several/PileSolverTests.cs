@@ -42,6 +42,32 @@ public sealed class PileSolverTests
         }
     }
 
+    /// <summary>Two balls that touch and gain speed together move at their mean velocity. A ball that hits the other moves at its new velocity, as does the other.</summary>
+    [Theory]
+    [InlineData(0, false)]
+    [InlineData(-1e-6, false)]
+    [InlineData(-1e-3, true)]
+    [InlineData(-1, true)]
+    public void Balls_move_at_their_mean_velocity_unless_one_hits_the_other(double rate, bool hits)
+    {
+        const double Gain = 0.01;
+        PileSolver solver = Of(2);
+        solver.Members[0].StartV = new Vector3d(1 + rate, 0, 0);
+        solver.Members[1].StartV = new Vector3d(1, 0, 0);
+        solver.Members[0].V = solver.Members[0].StartV + new Vector3d(Gain, 0, 0);
+        solver.Members[1].V = solver.Members[1].StartV + new Vector3d(2 * Gain, 0, 0);
+        solver.Add(Between(0, 1, new Vector3d(1, 0, 0), 0));
+        solver.Solve(1e-3, 1000, 1e-15);
+        solver.SetWays();
+        double end = 1 + (0.5 * rate) + (1.5 * Gain);
+        for (int i = 0; i < 2; i++)
+        {
+            ref readonly PileMember ball = ref solver.Members[i];
+            Assert.Equal(end, ball.V.X, 1e-12);
+            Assert.Equal(hits ? end : 0.5 * (ball.StartV.X + end), ball.Way.X, 1e-12);
+        }
+    }
+
     /// <summary>In turn from the top down and from the ground up, a column of twelve needs few rounds.</summary>
     [Theory]
     [InlineData(60, 0.01)]

@@ -35,7 +35,7 @@ internal sealed class PileSolver
         Contacts[ContactCount++] = contact;
     }
 
-    /// <summary>Sets the velocity at which each ball moves: the new one if it has a load, otherwise the mean of the old and new ones.</summary>
+    /// <summary>Sets the velocity at which each ball moves: the mean of the old and new ones, or the new one if the ball hits something.</summary>
     public void SetWays()
     {
         for (int i = 0; i < Count; i++)
@@ -47,7 +47,7 @@ internal sealed class PileSolver
         for (int i = 0; i < ContactCount; i++)
         {
             ref readonly PileContact contact = ref Contacts[i];
-            if (contact.Load > 0)
+            if (contact.Load > 0 && Closes(in contact))
             {
                 ref PileMember first = ref Members[contact.First];
                 first.Way = first.V;
@@ -58,6 +58,13 @@ internal sealed class PileSolver
                 }
             }
         }
+    }
+
+    /// <summary>True if a contact closes at the start of the part. At the mean velocity, the ball would enter the other object.</summary>
+    private bool Closes(in PileContact contact)
+    {
+        Vector3d other = contact.Second >= 0 ? Members[contact.Second].StartV : contact.Velocity;
+        return Vector3d.Dot(Members[contact.First].StartV - other, in contact.Normal) < -ContactTolerances.Pressing;
     }
 
     /// <summary>Solves the impulses, starting from those that the contacts already hold.</summary>
