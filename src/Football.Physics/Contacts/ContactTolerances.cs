@@ -49,10 +49,6 @@ internal static class ContactTolerances
     /// step.</remarks>
     public const double Overlap = 5e-10;
 
-    /// <summary>The maximum overlap, at the end of a step, of two balls that touch without load, m.</summary>
-    /// <remarks>Above: a push that was missed moves a ball into another. Below: a group rejects whole steps because of the method's error.</remarks>
-    public const double EnteredUnloaded = 1e-9;
-
     /// <summary>The maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
     /// <remarks>Above: a curved seam is left unnoticed. Below: a ball that crosses a seam is checked many times.</remarks>
     public const double PartedSurfaces = 1e-8;
@@ -117,10 +113,6 @@ internal static class ContactTolerances
     /// <remarks>Above: rates of another motion start the piece. Below: each piece computes its rates twice.</remarks>
     public const double Unmoved = 1e-12;
 
-    /// <summary>The correction of a group's speeds below which the forces stay valid, m/s.</summary>
-    /// <remarks>Above: forces of another motion start the step. Below: each step computes its forces twice.</remarks>
-    public const double GroupUnmoved = 1e-11;
-
     /// <summary>A closing speed below this counts as zero, m/s.</summary>
     /// <remarks>Above: a slow ball sinks in without an impact. Below: rounding of a resting ball counts as an impact.</remarks>
     public const double Approaching = 1e-9;
@@ -150,10 +142,6 @@ internal static class ContactTolerances
     /// without a solution the loads grow without bound, so their relative changes become small too.</remarks>
     public const double LargestClosing = 1e-6;
 
-    /// <summary>A ball of a group that rolls more slowly than this has no direction of roll, m/s.</summary>
-    /// <remarks>Above: whole steps end early. Below: rounding gives the direction of rolling friction.</remarks>
-    public const double Undirected = 1e-6;
-
     /// <summary>The minimum speed used to convert a distance to a time, m/s.</summary>
     /// <remarks>Above: a slow ball stops short of an edge. Below: a piece of a ball at rest has no end.</remarks>
     public const double SlowestAtEdge = 1e-6;
@@ -162,17 +150,9 @@ internal static class ContactTolerances
     /// <remarks>Above: a ball that leaves slowly is held down. Below: rounding of an impact lifts a ball that stays.</remarks>
     public const double Leaving = 5e-6;
 
-    /// <summary>A slip of two balls of a group below this counts as zero, m/s: it is within the error of the impulses.</summary>
-    /// <remarks>Above: balls that slide on each other stick. Below: contacts alternate between the modes.</remarks>
-    public const double GroupSticking = 3e-5;
-
     /// <summary>The maximum relative speed of two balls in sustained contact, m/s.</summary>
-    /// <remarks>Above: an impact is taken as a contact and loses its rebound. Below: a pile stays in parts.</remarks>
+    /// <remarks>Above: balls that hit each other overlap within a part. Below: the error of pressed balls grows from second order to first.</remarks>
     public const double Pressing = 3e-5;
-
-    /// <summary>A spin of two balls about their normal below this counts as zero, rad/s.</summary>
-    /// <remarks>Above: drilling balls stop early. Below: drilling friction alternates its direction.</remarks>
-    public const double GroupTurning = 3e-4;
 
     /// <summary>A rolling ball on several surfaces is reported as sliding above this slip, m/s.</summary>
     /// <remarks>Above: a slide is not reported. Below: a slip that ends in the next part is.</remarks>
@@ -358,10 +338,6 @@ internal static class ContactTolerances
     /// <summary>After a jump in the load, the piece ends this share of its length beyond the jump; more than <see cref="JumpWidth"/>.</summary>
     /// <remarks>Above: the ball passes over the next face. Below: the next piece starts before the edge again.</remarks>
     public const double BeyondJump = 1e-7;
-
-    /// <summary>The error of the conditions of a group, relative to the largest force, if the forces are not unique.</summary>
-    /// <remarks>Above: forces that solve nothing pass. Below: rounding fails the conditions of a wall of balls.</remarks>
-    public const double SolvedForces = 1e-7;
 
     /// <summary>A piece that ends at a grazing contact keeps at least this share of its length.</summary>
     /// <remarks>Above: the contact is passed. Below: pieces of no length use up the step.</remarks>

@@ -99,34 +99,22 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         Motion fourth = from.After(h, in third.Velocity, in k3);
         system.Rates(time + h, in fourth, out MotionRates k4);
 
-        step.End = End(in from, h, in start, in second, in k2, in third, in k3, in fourth, in k4);
+        step.End = new Motion(
+            from.Position + Sum(h, in from.Velocity, in second.Velocity, in third.Velocity, in fourth.Velocity),
+            from.Velocity + Sum(h, in start.Acceleration, in k2.Acceleration, in k3.Acceleration, in k4.Acceleration),
+            from.Spin + Sum(h, in start.SpinAcceleration, in k2.SpinAcceleration, in k3.SpinAcceleration, in k4.SpinAcceleration),
+            from.AirDistance + Sum(h, start.AirSpeed, k2.AirSpeed, k3.AirSpeed, k4.AirSpeed));
 
         // The axis may turn within the step: combine the spins at the start, the middle and the end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = start;
     }
 
-    /// <summary>Returns the end of a step from its four stages, each a motion and its rates; the first motion is the start.</summary>
-    public static Motion End(
-        in Motion from,
-        double h,
-        in MotionRates k1,
-        in Motion second,
-        in MotionRates k2,
-        in Motion third,
-        in MotionRates k3,
-        in Motion fourth,
-        in MotionRates k4) => new(
-        from.Position + Sum(h, in from.Velocity, in second.Velocity, in third.Velocity, in fourth.Velocity),
-        from.Velocity + Sum(h, in k1.Acceleration, in k2.Acceleration, in k3.Acceleration, in k4.Acceleration),
-        from.Spin + Sum(h, in k1.SpinAcceleration, in k2.SpinAcceleration, in k3.SpinAcceleration, in k4.SpinAcceleration),
-        from.AirDistance + Sum(h, k1.AirSpeed, k2.AirSpeed, k3.AirSpeed, k4.AirSpeed));
+    /// <summary>Returns h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Sum(double h, double k1, double k2, double k3, double k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
 
     /// <summary>Returns h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Sum(double h, double k1, double k2, double k3, double k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
-
-    /// <summary>Returns h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3d Sum(double h, in Vector3d k1, in Vector3d k2, in Vector3d k3, in Vector3d k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
+    private static Vector3d Sum(double h, in Vector3d k1, in Vector3d k2, in Vector3d k3, in Vector3d k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
 }

@@ -4,10 +4,6 @@ using FootballPhysics.State;
 namespace FootballPhysics.Integration;
 
 /// <summary>A one-step method. To add one, implement this interface, and add a name to <see cref="Integrator"/> and <see cref="StepperFactory"/>.</summary>
-/// <remarks>
-/// Groups of balls take their whole steps with the standard method of the same order, 1, 2 or 4 (<see cref="ClusterSystem"/>). With other orders
-/// they take parts.
-/// </remarks>
 internal interface IIntegrator
 {
     /// <summary>The number of evaluations per step.</summary>

@@ -71,7 +71,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);
         _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
-        Pile = new PilePhase(around, in _pulled, _integrator, guard, _contact);
+        Pile = new PilePhase(around, guard, _contact);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 

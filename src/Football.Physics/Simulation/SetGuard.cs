@@ -6,7 +6,7 @@ namespace FootballPhysics.Simulation;
 internal static unsafe class SetGuard
 {
     /// <summary>The largest change of the speed within a piece, in units of a surface's speed. A faster squeeze takes the parts of <see cref="ContactSetParts"/>.</summary>
-    public const double MostBySurface = 2;
+    private const double MostBySurface = 2;
 
     /// <summary>False if the loads grew without bound within the piece.</summary>
     public static bool IsFinite(in Motion end) => end.Velocity.LengthSquared + end.Spin.LengthSquared < double.PositiveInfinity;
@@ -19,8 +19,11 @@ internal static unsafe class SetGuard
         double turning = around.World.Ball.InertiaFactor * around.Radius * around.Radius;
         double before = 0.5 * (from.Velocity.LengthSquared + (turning * from.Spin.LengthSquared));
         double after = 0.5 * (end.Velocity.LengthSquared + (turning * end.Spin.LengthSquared));
-        double given = Given(around, end.Position - from.Position, h, order);
-        if (after <= Allowed(before, given))
+
+        // The work of the weight, and the error of a method of first order, ½ |a|² h².
+        double given = Vector3d.Dot(around.Weight, end.Position - from.Position) + (order > 1 ? 0 : 0.5 * h * h * around.Weight.LengthSquared);
+        double allowed = (before * (1.0 + ContactTolerances.PieceEnergy)) + given;
+        if (after <= allowed)
         {
             return false;
         }
@@ -32,30 +35,13 @@ internal static unsafe class SetGuard
             change = Math.Max(change, MostBySurface * system.Contacts[i].Surface.Length);
         }
 
-        if (s.Nets != 0 || MayGive(around))
+        if (s.Nets != 0 || around.Wind != Vector3d.Zero || around.Air.Varies || around.Air.HasOwnForces)
         {
             change += h * (Other(around, in system, s.Time, in from) + Other(around, in system, s.Time + h, in end));
         }
 
-        return Overshoots(before, after, given, change);
+        return after > allowed + (change * (Math.Sqrt(2.0 * before) + Math.Sqrt(2.0 * after)));
     }
-
-    /// <summary>True if a piece ends with too much energy.</summary>
-    /// <param name="before">The energy at its start.</param>
-    /// <param name="after">The energy at its end.</param>
-    /// <param name="given">The work of the weight.</param>
-    /// <param name="change">The largest change of √(2E) by other forces.</param>
-    public static bool Overshoots(double before, double after, double given, double change) =>
-        after > Allowed(before, given) + (change * (Math.Sqrt(2.0 * before) + Math.Sqrt(2.0 * after)));
-
-    /// <summary>Returns the work of the weight per mass, J/kg, and the error of a method of first order, ½ |a|² h².</summary>
-    public static double Given(Surroundings around, in Vector3d moved, double h, int order) =>
-        Vector3d.Dot(around.Weight, in moved) + (order > 1 ? 0 : 0.5 * h * h * around.Weight.LengthSquared);
-
-    /// <summary>True if wind or custom forces may do work on a ball.</summary>
-    public static bool MayGive(Surroundings around) => around.Wind != Vector3d.Zero || around.Air.Varies || around.Air.HasOwnForces;
-
-    private static double Allowed(double before, double given) => (before * (1.0 + ContactTolerances.PieceEnergy)) + given;
 
     /// <summary>Returns the acceleration by other forces than the weight, with the spin as the speed √α r |ω̇|, in m/s².</summary>
     private static double Other(Surroundings around, in ContactSystem system, double time, in Motion at)

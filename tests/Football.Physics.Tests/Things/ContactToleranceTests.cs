@@ -52,7 +52,6 @@ public sealed class ContactToleranceTests
         ContactTolerances.ClosedGap,
         ContactTolerances.Touching,
         ContactTolerances.Overlap,
-        ContactTolerances.EnteredUnloaded,
         ContactTolerances.PileOverlap,
         ContactTolerances.BallOverlap,
         ContactTolerances.Lingering,
@@ -61,7 +60,6 @@ public sealed class ContactToleranceTests
     private static readonly double[] Speeds =
     [
         ContactTolerances.Standstill,
-        ContactTolerances.GroupUnmoved,
         ContactTolerances.Approaching,
         ContactTolerances.Sticking,
         ContactTolerances.StickingAfterMany,

@@ -24,15 +24,7 @@ internal sealed partial class BallCluster
             for (int m = 0; m < pile.Count; m++)
             {
                 int i = pile[m];
-                if (pile.IsWhole)
-                {
-                    _trials[i].Go(in states[i], pile.PathOf(m));
-                }
-                else
-                {
-                    _trials[i].Go(in states[i], pile.WayOf(m), pile.Until - time);
-                }
-
+                _trials[i].Go(in states[i], pile.WayOf(m), pile.Until - time);
                 Reach(states, i);
             }
         }

@@ -10,9 +10,8 @@ namespace FootballPhysics;
 /// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator can be shared between threads.
 /// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The only exception is impacts at exactly the same
 /// time: that of the ball with the lower index comes first. Two balls that approach each other at less than 1 cm/s are in sustained contact and form a pile.
-/// The balls of a pile are solved together and come to rest together. Up to eight balls among stationary objects take whole steps of the integrator while their
-/// contacts keep their modes. Otherwise the pile divides a step into parts of 2 ms, at most 16. A ball in a resting pile stores its contacts in its state, and
-/// wakes if one is removed.
+/// The balls of a pile are solved together and come to rest together. The pile divides a step into parts of 2 ms, at most 16. A ball in a resting pile stores
+/// its contacts in its state, and wakes if one is removed.
 /// A pile treats objects with a mass as immovable.
 /// </remarks>
 public sealed partial class BallGroup

@@ -4,9 +4,8 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a pile: balls in sustained contact with each other.</summary>
-/// <remarks>A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a few equal parts,
-/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce at the start of the part.
-/// No ball enters a stationary object.</remarks>
+/// <remarks>The pile takes a few equal parts, with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast
+/// contacts bounce at the start of the part. No ball enters a stationary object.</remarks>
 internal sealed partial class BallPile
 {
     /// <summary>Length of a part, s, and the maximum number of parts per step.</summary>
@@ -15,9 +14,6 @@ internal sealed partial class BallPile
 
     /// <summary>Maximum number of parts per step, including those cut short by other balls that hit the pile.</summary>
     private const int MostPlans = 24;
-
-    /// <summary>Maximum number of attempts at whole steps per step. After a part, the pile continues in parts.</summary>
-    private const int MostWholes = 16;
 
     /// <summary>Solver iterations: for the first part (cold start), for further parts, and for the check of rest.</summary>
     private const int FirstRounds = 48;
@@ -37,27 +33,23 @@ internal sealed partial class BallPile
     private readonly PileSolver _solver = new();
     private readonly PileBounces _bounces;
     private readonly PileOverlaps _overlaps;
-    private readonly PileWholes _whole;
     private PileContact[] _last = new PileContact[32];
     private int _lastCount;
     private double _length;
     private double _longest;
     private double _end;
     private int _plans;
-    private int _wholes;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">The material of impacts between balls.</param>
     /// <param name="friction">The friction coefficient of sustained contact between balls.</param>
-    /// <param name="room">Memory that all piles of a group share.</param>
-    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction, ClusterRoom room)
+    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction)
     {
         _simulators = simulators;
         _contact = contact;
         _friction = friction;
         _bounces = new PileBounces(simulators, _solver, in contact);
         _overlaps = new PileOverlaps(simulators, _solver);
-        _whole = new PileWholes(simulators, _solver, friction, friction * Math.Max(LeastDrilling, contact.DrillingLength), room);
     }
 
     /// <summary>Number of balls in the pile.</summary>
@@ -75,12 +67,6 @@ internal sealed partial class BallPile
     /// <summary>Time up to which its paths are computed, s.</summary>
     public double Until { get; private set; }
 
-    /// <summary>True if its balls take a whole step of the integrator; otherwise they move in straight lines.</summary>
-    public bool IsWhole { get; private set; }
-
-    /// <summary>Returns the path of a ball in a whole step.</summary>
-    public PathCubic PathOf(int index) => _whole.PathOf(index);
-
     /// <summary>Empties the pile for a step of a given length, s.</summary>
     public void Clear(double time, double step)
     {
@@ -88,8 +74,6 @@ internal sealed partial class BallPile
         _solver.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
-        _wholes = 0;
-        IsWhole = false;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
@@ -128,7 +112,6 @@ internal sealed partial class BallPile
         }
 
         _plans = Math.Max(_plans, other._plans);
-        _wholes = Math.Max(_wholes, other._wholes);
         _bounces.Absorb(other._bounces);
     }
 
@@ -142,7 +125,6 @@ internal sealed partial class BallPile
         _solver.Members[_solver.Count++] = member;
         _solver.ContactCount = 0;
         _length = 0;
-        IsWhole = false;
         Until = Time;
     }
 
@@ -180,20 +162,6 @@ internal sealed partial class BallPile
         _plans++;
         _end = end;
         double left = end - Time;
-        bool mayBeWhole = (IsWhole || !(_length > 0)) && _wholes++ < MostWholes;
-        IsWhole = mayBeWhole && _whole.Try(states, Time, left, Part, logs);
-        if (IsWhole)
-        {
-            _length = _whole.Length;
-            Until = _length < left ? Time + _length : end;
-            return false;
-        }
-
-        // The forces at the start have already been computed.
-        for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
-        {
-            _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
-        }
 
         // Divide the rest of the step into equal parts.
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - ContactTolerances.StepRounding));
@@ -255,18 +223,6 @@ internal sealed partial class BallPile
         for (int i = 0; i < Count; i++)
         {
             _solver.Members[i].From = states[_solver.Members[i].Ball];
-        }
-
-        if (IsWhole)
-        {
-            _whole.Move(states, duration, time < Until, time, logs);
-            Time = time;
-
-            // Store the contacts and their loads for later queries.
-            Find(states, ContactTolerances.Leaning, 0);
-            _whole.Load(duration);
-            _overlaps.PutApart(states, duration);
-            return;
         }
 
         // Within a part, v and ω are linear in time: interpolate a shortened part.

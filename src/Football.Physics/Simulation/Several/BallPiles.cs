@@ -13,7 +13,6 @@ internal sealed class BallPiles
     private readonly double _friction;
     private readonly int[] _pileOf;
     private BallPile[] _piles = [];
-    private ClusterRoom? _room;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">The material of impacts between balls.</param>
@@ -55,7 +54,7 @@ internal sealed class BallPiles
         if (Count == _piles.Length)
         {
             Array.Resize(ref _piles, Count + 1);
-            _piles[Count] = new BallPile(_simulators, in _contact, _friction, _room ??= new ClusterRoom());
+            _piles[Count] = new BallPile(_simulators, in _contact, _friction);
         }
 
         BallPile pile = _piles[Count++];

@@ -90,15 +90,7 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="duration">The duration, s.</param>
     public void Go(in BallState start, in Vector3d velocity, double duration)
     {
-        Go(in start, PathCubic.Line(start.Position, in velocity, duration));
-        Reach = duration * velocity.Length;
-    }
-
-    /// <summary>Sets the path of a ball in a pile.</summary>
-    /// <param name="start">The ball at the start.</param>
-    /// <param name="path">The path.</param>
-    public void Go(in BallState start, in PathCubic path)
-    {
+        var path = PathCubic.Line(start.Position, in velocity, duration);
         _start = start;
         _isStep = false;
         IsWhole = false;
@@ -109,7 +101,7 @@ internal sealed class BallTrial : PieceObserver
         End.Position = path.At(path.Length);
         End.Time = start.Time + path.Length;
         HaltsAt = double.PositiveInfinity;
-        Reach = path.Length * path.FastestSpeed;
+        Reach = duration * velocity.Length;
     }
 
     /// <summary>Returns position, m, and velocity, m/s, at a time for a ball in a pile.</summary>

@@ -20,35 +20,14 @@ internal sealed class PilePhase
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly NetGuard _nets;
-    private readonly StabilityLimit _limit;
 
-    public PilePhase(Surroundings around, in StabilityLimit limit, IIntegrator method, WorldGuard guard, WorldContact contact)
+    public PilePhase(Surroundings around, WorldGuard guard, WorldContact contact)
     {
-        Method = method;
-        _limit = limit;
         _around = around;
         _world = around.World;
         _guard = guard;
         _contact = contact;
         _nets = new NetGuard(_world);
-    }
-
-    /// <summary>The surroundings of the ball.</summary>
-    public Surroundings Around => _around;
-
-    /// <summary>The integrator of its whole steps.</summary>
-    public IIntegrator Method { get; }
-
-    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster, or has an order without whole steps of groups.</summary>
-    /// <param name="s">The ball.</param>
-    /// <param name="h">The requested length, s.</param>
-    /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
-    /// <param name="gain">Maximum speed gain by friction, m/s.</param>
-    public double LongestWhole(in BallState s, double h, double damping, double gain)
-    {
-        bool spirals = false;
-        double part = _limit.PartOf(ref _around.Air, h, (s.Velocity - _around.Wind).Length, s.Spin.Length, s.Branch, ref spirals, damping, gain);
-        return spirals || Method.Order is not (1 or 2 or 4) ? 0 : part;
     }
 
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
