@@ -4,9 +4,8 @@ namespace FootballPhysics.Contacts;
 
 /// <summary>Solves the loads and friction forces of a contact set with locked modes.</summary>
 /// <remarks>
-/// The forces solve one linear system, with one unknown per load and two per sticking contact. One sticking contact is eliminated in closed form:
-/// its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
-/// One equation remains per slipping contact, and three per further sticking contact.
+/// The forces solve one linear system, with one unknown per load and two per sticking contact. If the solution is not unique, it takes the solution
+/// with the least sum of squares.
 /// </remarks>
 internal static unsafe class ContactForces
 {
@@ -24,13 +23,7 @@ internal static unsafe class ContactForces
             spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }
 
-        int stuck = StuckOf(in system);
-        bool eliminates = !system.Pinned && (!system.HoldsSpin || stuck < 0 || stuck == system.Bearer);
-        if (!eliminates || !Eliminate(ref system, stuck, in spin, ref acceleration, ref spinAcceleration))
-        {
-            SolveAll(ref system, in spin, ref acceleration, ref spinAcceleration);
-        }
-
+        SolveAll(ref system, in spin, ref acceleration, ref spinAcceleration);
         for (int i = 0; i < system.Count; i++)
         {
             ref SetContact contact = ref system.Contacts[i];
@@ -38,199 +31,22 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>Returns the contact to eliminate: the bearer if it sticks, otherwise the first one that sticks; −1 if none does.</summary>
-    private static int StuckOf(in ContactSystem system)
-    {
-        if (system.Bearer >= 0 && system.Contacts[system.Bearer].Width == 3)
-        {
-            return system.Bearer;
-        }
-
-        for (int i = 0; i < system.Count; i++)
-        {
-            if (system.Contacts[i].Width == 3)
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    /// <summary>Eliminates the sticking contact, and solves the forces of the others.</summary>
-    /// <returns>False if the solution is not unique, or if more than two contacts stick; nothing has then changed.</returns>
-    [SkipLocalsInit]
-    private static bool Eliminate(ref ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
-    {
-        ForceRow* rows = stackalloc ForceRow[ContactRows.Most];
-        int pair = -1;
-        int pairRow = 0;
-        int size = 0;
-        for (int i = 0; i < system.Count; i++)
-        {
-            ref readonly SetContact contact = ref system.Contacts[i];
-            if (i == stuck || !contact.Bears)
-            {
-                continue;
-            }
-
-            if (contact.Sticks)
-            {
-                if (pair >= 0)
-                {
-                    return false;
-                }
-
-                pair = i;
-                pairRow = size;
-            }
-
-            size += SetRows(in system, i, in spin, rows + size);
-        }
-
-        Vector3d a = acceleration;
-        Vector3d w = spinAcceleration;
-        if (system.HoldsSpin)
-        {
-            HoldSpin(ref system, in spin, ref w, rows, size);
-        }
-
-        ForceRow own = stuck >= 0 ? Respond(in system, stuck, in spin, ref a, ref w, rows, size) : default;
-        double* x = stackalloc double[ContactRows.Most];
-        double* z = stackalloc double[ContactRows.Most];
-        if (!SolveRows(rows, x, z, size, in a, in w, in system, stuck, pair, pairRow))
-        {
-            return false;
-        }
-
-        if (pair >= 0)
-        {
-            Brace(rows, x, z, size, in own, in system.Contacts[stuck], in system.Contacts[pair], pairRow);
-        }
-
-        double load = own.OwnLoad;
-        Vector3d friction = own.OwnFriction;
-        for (int i = 0; i < size; i++)
-        {
-            ref readonly ForceRow row = ref rows[i];
-            a += x[i] * row.PushV;
-            w += x[i] * row.PushW;
-            load += x[i] * row.OwnLoad;
-            friction += x[i] * row.OwnFriction;
-            system.HeldSpin += x[i] * row.HeldSpin;
-        }
-
-        acceleration = a;
-        spinAcceleration = w;
-        Store(ref system, x, stuck);
-        if (stuck >= 0)
-        {
-            system.Contacts[stuck].Load = load;
-            system.Contacts[stuck].Friction = friction;
-        }
-
-        return true;
-    }
-
-    /// <summary>Computes how the eliminated contact responds to the free motion, and to a unit of each other force.</summary>
-    /// <returns>Its response to the free motion.</returns>
-    private static ForceRow Respond(in ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration, ForceRow* rows, int size)
-    {
-        ref readonly SetContact contact = ref system.Contacts[stuck];
-        double r = system.World.Ball.Radius;
-        SetLoad(in system, stuck, out ForceRow own);
-        var elimination = new StickElimination(in contact.Normal, in own, r, system.World.Ball.InertiaFactor);
-        elimination.Respond(own.Target, Target(in contact, r, in spin), ref acceleration, ref spinAcceleration, out own.OwnLoad, out own.OwnFriction);
-        for (int i = 0; i < size; i++)
-        {
-            ref ForceRow row = ref rows[i];
-            elimination.Respond(0, Vector3d.Zero, ref row.PushV, ref row.PushW, out row.OwnLoad, out row.OwnFriction);
-        }
-
-        return own;
-    }
-
-    /// <summary>Solves G x = b for the forces that remain after elimination.</summary>
-    /// <returns>False if the solution is not unique.</returns>
-    [SkipLocalsInit]
-    private static bool SolveRows(
-        ForceRow* rows, double* x, double* z, int size, in Vector3d a, in Vector3d w, in ContactSystem system, int stuck, int pair, int pairRow)
-    {
-        double* g = stackalloc double[ContactRows.Most * ContactRows.Most];
-        double largest = SetSystem(rows, g, x, size, in a, in w);
-        if (pair < 0)
-        {
-            return ContactRows.Eliminate(g, x, size, ContactTolerances.Singular * largest);
-        }
-
-        // If two contacts stick, their conditions along the line between the contact points are the same.
-        new Span<double>(z, size).Clear();
-        SetLine(in system.Contacts[pair], in system.Contacts[stuck], z + pairRow);
-        return ContactRows.SolveBraced(g, x, z, size);
-    }
-
     /// <summary>Sets G, the response of each condition to a unit of each force, and b, the remainder of each condition without these
     /// forces.</summary>
-    /// <returns>The largest entry of G, at least 1.</returns>
-    private static double SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)
+    private static void SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)
     {
-        double largest = 1;
         for (int i = 0; i < size; i++)
         {
             ref readonly ForceRow row = ref rows[i];
             b[i] = row.Target - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
             for (int j = 0; j < size; j++)
             {
-                double entry = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
-                g[(i * size) + j] = entry;
-                largest = Math.Max(largest, Math.Abs(entry));
+                g[(i * size) + j] = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
             }
         }
-
-        return largest;
     }
 
-    /// <summary>Chooses the smallest forces of two sticking contacts, or the nearest forces inside both friction cones.</summary>
-    [SkipLocalsInit]
-    private static void Brace(ForceRow* rows, double* x, double* z, int size, in ForceRow own, in SetContact first, in SetContact second, int row)
-    {
-        double load = own.OwnLoad;
-        Vector3d friction = own.OwnFriction;
-        double loadBrace = 0;
-        Vector3d frictionBrace = default;
-        double along = 0;
-        double square = 0;
-        for (int i = 0; i < size; i++)
-        {
-            load += x[i] * rows[i].OwnLoad;
-            friction += x[i] * rows[i].OwnFriction;
-            loadBrace += z[i] * rows[i].OwnLoad;
-            frictionBrace += z[i] * rows[i].OwnFriction;
-            along += x[i] * z[i];
-            square += z[i] * z[i];
-        }
-
-        along += (load * loadBrace) + Vector3d.Dot(in friction, in frictionBrace);
-        square += (loadBrace * loadBrace) + frictionBrace.LengthSquared;
-        double least = -along / square;
-        load += least * loadBrace;
-        friction += least * frictionBrace;
-        for (int i = 0; i < size; i++)
-        {
-            x[i] += least * z[i];
-        }
-
-        double* own3 = stackalloc double[3] { load, Vector3d.Dot(in friction, in first.First), Vector3d.Dot(in friction, in first.Second) };
-        double* brace3 = stackalloc double[3] { loadBrace, Vector3d.Dot(in frictionBrace, in first.First), Vector3d.Dot(in frictionBrace, in first.Second) };
-        double share = FrictionBrace.Share(own3, brace3, first.Sliding, x + row, z + row, second.Sliding);
-        for (int i = 0; i < size; i++)
-        {
-            x[i] += share * z[i];
-        }
-    }
-
-    /// <summary>Solves all forces at once, without elimination.</summary>
-    /// <remarks>If the solution is not unique, it takes the solution with the least sum of squares.</remarks>
+    /// <summary>Solves all forces at once.</summary>
     [SkipLocalsInit]
     private static void SolveAll(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
     {
@@ -294,7 +110,7 @@ internal static unsafe class ContactForces
         }
 
         system.Held = held;
-        Store(ref system, x, -1);
+        Store(ref system, x);
     }
 
     /// <summary>Solves all forces if exactly two contacts stick.</summary>
@@ -337,18 +153,13 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>Stores the solution, except for the contact that was eliminated.</summary>
-    private static void Store(ref ContactSystem system, double* x, int stuck)
+    /// <summary>Stores the solution.</summary>
+    private static void Store(ref ContactSystem system, double* x)
     {
         int next = 0;
         for (int i = 0; i < system.Count; i++)
         {
             ref SetContact contact = ref system.Contacts[i];
-            if (i == stuck)
-            {
-                continue;
-            }
-
             contact.Load = contact.Bears ? x[next++] : 0;
             contact.Friction = default;
             if (contact.Width == 3)

@@ -105,7 +105,7 @@ internal static unsafe class ContactRows
     /// <param name="least">Minimum pivot.</param>
     /// <param name="sides">Number of right-hand sides.</param>
     /// <returns>False if a pivot is too small.</returns>
-    public static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
+    private static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
     {
         for (int column = 0; column < size; column++)
         {
