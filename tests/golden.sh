@@ -14,12 +14,10 @@ states() {
     root=$(mktemp -d)
     trap 'rm -rf "$root"' RETURN
     git archive "$1" | tar -x -C "$root"
-    rm -rf "$root/tests/Golden" "$root/tests/Package.Consumer"
-    mkdir -p "$root/tests/Package.Consumer"
-    cp -R tests/Golden "$root/tests/"
-    cp tests/Package.Consumer/*.cs* "$root/tests/Package.Consumer/"
+    rm -r "$root/tests"
+    git ls-files -z tests/Golden tests/Package.Consumer | tar -c --null -T - | tar -x -C "$root"
   fi
-  dotnet run -c Release -v q --project "$root/tests/Package.Consumer" -p:RunAnalyzers=false -p:LibraryProject=true -p:TargetFrameworks=net10.0 -- --states 2> /dev/null > "$out"
+  dotnet run -c Release -v q --project "$root/tests/Package.Consumer" -p:RunAnalyzers=false -p:LibraryProject=true -p:TargetFrameworks=net10.0 -- --states 2> /dev/null > "$out" || { cat "$out" >&2; return 1; }
   echo "$out"
 }
 
