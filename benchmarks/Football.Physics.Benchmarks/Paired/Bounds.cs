@@ -37,12 +37,18 @@ internal sealed class Bounds
     /// <summary>Returns the patterns that match none of the rows.</summary>
     public IEnumerable<string> Unused(IReadOnlyCollection<string> rows) => _others.Select(other => other.Pattern).Where(pattern => !rows.Any(pattern.IsMatch)).Select(pattern => pattern.ToString());
 
-    /// <summary>Returns true if a row is above its bound in every run.</summary>
-    /// <remarks>The position of code in memory changes a time by some percent, and differs between runs.</remarks>
-    public bool Fails(string row, IReadOnlyCollection<double> ratios, IReadOnlyCollection<double> flightSteps)
+    /// <summary>Returns true if a row is above its bound in each of the first runs, and in the median of all others.</summary>
+    /// <param name="row">The table and the row.</param>
+    /// <param name="ratios">The ratio in each run.</param>
+    /// <param name="flightSteps">The number of flight steps in each run; empty if a flight step is not a unit for this row.</param>
+    /// <param name="first">The number of the first runs.</param>
+    /// <remarks>The addresses of code change a time by some percent, and differ between runs.</remarks>
+    public bool Fails(string row, IReadOnlyList<double> ratios, IReadOnlyList<double> flightSteps, int first)
     {
         (bool inFlightSteps, double most) = Of(row);
-        return (inFlightSteps ? flightSteps : ratios) is { Count: > 0 } runs && runs.Min() > most;
+        IReadOnlyList<double> runs = inFlightSteps ? flightSteps : ratios;
+        double[] others = [.. runs.Skip(first).Order()];
+        return runs.Count >= first && runs.Take(first).Min() > most && (others.Length == 0 || others[others.Length / 2] > most);
     }
 
     private static (Regex Pattern, bool InFlightSteps, double Most) Parse(string line) =>

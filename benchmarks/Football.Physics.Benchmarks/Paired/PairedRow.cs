@@ -1,7 +1,7 @@
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of `paired`: its times and ratios in each run.</summary>
-internal sealed class PairedRow(string name, Bounds bounds)
+internal sealed class PairedRow(string name, Bounds bounds, int runs)
 {
     /// <summary>The number of calls that show whether a workload uses a member that the other library lacks: all parts of its shots.</summary>
     private const int Calls = 4;
@@ -17,8 +17,8 @@ internal sealed class PairedRow(string name, Bounds bounds)
     /// <summary>The reason why the row cannot be compared; null if it can.</summary>
     public string? Reason { get; private set; }
 
-    /// <summary>True if the row is above its bound in every run.</summary>
-    public bool Fails => bounds.Fails(name, _ratios, _flightSteps);
+    /// <summary>True if the row is above its bound in all runs, and in the median of those that follow.</summary>
+    public bool Fails => bounds.Fails(name, _ratios, _flightSteps, runs);
 
     /// <summary>Times the rows once.</summary>
     /// <param name="rows">The rows of a table.</param>
@@ -48,11 +48,11 @@ internal sealed class PairedRow(string name, Bounds bounds)
         foreach ((PairedRow row, Workload subject, Workload before, Workload[] flight) in work)
         {
             (Workload first, Workload second) = nowFirst ? (subject, before) : (before, subject);
-            Timing time = Stopwatching.Measure(first, second, seconds);
+            Timing time = Stopwatching.Measure(first, second, seconds, ofProcessor: true);
             row._nanoseconds.Add(nowFirst ? time.Nanoseconds : time.YardstickNanoseconds);
             row._before.Add(nowFirst ? time.YardstickNanoseconds : time.Nanoseconds);
             row._ratios.Add(nowFirst ? time.Ratio : 1 / time.Ratio);
-            row._flightSteps.AddRange(flight.Select(unit => Stopwatching.Measure(subject, unit, 0.5 * seconds).Ratio));
+            row._flightSteps.AddRange(flight.Select(unit => Stopwatching.Measure(subject, unit, 0.5 * seconds, ofProcessor: true).Ratio));
         }
     }
 
@@ -66,9 +66,9 @@ internal sealed class PairedRow(string name, Bounds bounds)
 
         (bool inFlightSteps, double most) = bounds.Of(name);
         string bound = $"≤ {Text.Number(most)}{(inFlightSteps ? " " + Bounds.FlightSteps : "")}";
-        string flight = _flightSteps.Count > 0 ? Text.Number(Stopwatching.Median(_flightSteps)) : "";
-        FormattableString ratios = $"{Stopwatching.Median(_ratios):F3} ({_ratios.Min():F3} to {_ratios.Max():F3})";
-        return $"| {name} | {Text.Number(Stopwatching.Median(_nanoseconds))} | {Text.Number(Stopwatching.Median(_before))} | {FormattableString.Invariant(ratios)} | {flight} | {bound} | {(Fails ? "**above**" : "")} |";
+        string flight = _flightSteps.Count > 0 ? Text.Number(Stopwatching.Median([.. _flightSteps])) : "";
+        FormattableString ratios = $"{Stopwatching.Median([.. _ratios]):F3} ({_ratios.Min():F3} to {_ratios.Max():F3})";
+        return $"| {name} | {Text.Number(Stopwatching.Median([.. _nanoseconds]))} | {Text.Number(Stopwatching.Median([.. _before]))} | {FormattableString.Invariant(ratios)} | {flight} | {bound} | {(Fails ? "**above**" : "")} |";
     }
 
     /// <summary>Makes a workload, and calls it.</summary>

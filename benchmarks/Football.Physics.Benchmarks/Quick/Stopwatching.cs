@@ -17,6 +17,10 @@ internal static class Stopwatching
     private const int LeastCalls = 12;
     private const int LeastPasses = 5;
     private const int MostPasses = 16;
+
+    /// <summary>A call that takes longer, ns, is seldom free of interruptions.</summary>
+    private const double LongCall = 1e6;
+
     private static double _sink;
 
     /// <summary>Calls all workloads often enough for the runtime to compile the final code, with pauses for the compilation.</summary>
@@ -44,16 +48,22 @@ internal static class Stopwatching
     }
 
     /// <summary>Measures for about the given time, but at least the least number of rounds.</summary>
-    public static Timing Measure(Workload subject, Workload yardstick, double seconds)
+    /// <param name="subject">The measured workload.</param>
+    /// <param name="yardstick">The workload that it is compared with.</param>
+    /// <param name="seconds">The time, s.</param>
+    /// <param name="ofProcessor">True if calls that are so long that other programs interrupt most of them are measured in processor time, which includes all threads.</param>
+    public static Timing Measure(Workload subject, Workload yardstick, double seconds, bool ofProcessor = false)
     {
+        // Other systems report processor time in units of several ms.
+        bool isLong = ofProcessor && OperatingSystem.IsLinux() && Math.Max(Time(subject, false) * subject.Operations, Time(yardstick, false) * yardstick.Operations) > LongCall;
         var ours = new List<double>();
         var theirs = new List<double>();
         var ratios = new List<double>();
         long start = Stopwatch.GetTimestamp();
         while (ratios.Count < LeastRounds || (Stopwatch.GetElapsedTime(start).TotalSeconds < seconds && ratios.Count < MostRounds))
         {
-            double a = Time(subject);
-            double b = Time(yardstick);
+            double a = Time(subject, isLong);
+            double b = Time(yardstick, isLong);
             ours.Add(a);
             theirs.Add(b);
             ratios.Add(a / b);
@@ -73,8 +83,16 @@ internal static class Stopwatching
         return values.Count % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
     }
 
-    private static double Time(Workload workload)
+    /// <summary>Returns the time of an operation, ns.</summary>
+    private static double Time(Workload workload, bool ofProcessor)
     {
+        if (ofProcessor)
+        {
+            TimeSpan before = Environment.CpuUsage.TotalTime;
+            _sink += workload.Run();
+            return (Environment.CpuUsage.TotalTime - before).TotalNanoseconds / workload.Operations;
+        }
+
         long start = Stopwatch.GetTimestamp();
         _sink += workload.Run();
         return (Stopwatch.GetTimestamp() - start) * (1e9 / Stopwatch.Frequency) / workload.Operations;
