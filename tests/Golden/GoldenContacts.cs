@@ -1,4 +1,3 @@
-using FootballPhysics.Laws;
 using FootballPhysics.Shapes;
 using static FootballPhysics.Golden.GoldenObjects;
 

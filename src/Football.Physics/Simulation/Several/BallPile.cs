@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 

@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
