@@ -3,7 +3,7 @@ using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Accuracy;
 
-/// <summary>Measured orders of the methods in contact sets, between events: several surfaces and balls that press, in air, whose modes stay as they are.</summary>
+/// <summary>Measured orders of the methods in contact sets, between events: several surfaces press on a ball in air, and all modes stay the same.</summary>
 public sealed class ContactConvergenceTests
 {
     private const double Radius = 0.11;
@@ -76,54 +76,6 @@ public sealed class ContactConvergenceTests
             return (scene, [ball]);
         });
 
-    [Theory]
-    [InlineData(Integrator.Rk2, 1.9, 2.2)]
-    [InlineData(Integrator.Rk4, 3.8, 4.6)]
-    public void Two_balls_on_a_slope_against_a_board(Integrator integrator, double low, double high) =>
-        Hold(
-            "two balls on a slope against a board",
-            integrator,
-            low,
-            high,
-            random =>
-            {
-                // They roll along the board side by side. Their sidespin, which nothing on the ground takes, keeps them slipping on each other: balls that stick to
-                // the ground and to each other cannot roll on as soon as one of them lags.
-                double tilt = random.Uniform(4, 9) * Math.PI / 180;
-                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.Of(SurfaceMaterial.DryTurf with { TorsionalPatchRadius = 0 }), random.Uniform(-3, 3));
-                var velocity = new Vector3d(random.Uniform(5, 9), 0, 0);
-                Vector3d rolling = Vector3d.Cross(normal, velocity) / Radius;
-                Vector3d lower = Radius * normal;
-                return (scene, [(lower, velocity, rolling + (30 * normal)), (lower - (2 * Radius * down), velocity, rolling + (40 * normal))]);
-            },
-            SurfaceMaterial.Ball with { ImpactFriction = 0.05 });
-
-    [Theory]
-    [InlineData(Integrator.Rk2, 1.9, 2.2)]
-    [InlineData(Integrator.Rk4, 3.8, 4.6)]
-    public void Two_balls_that_stick_to_each_other_and_slide_along_a_board(Integrator integrator, double low, double high) =>
-        Hold("two balls that stick to each other", integrator, low, high, random =>
-        {
-            // Slick turf: neither begins to roll. One turns against the other about the line of centres, on which they do not slip.
-            double tilt = random.Uniform(10, 14) * Math.PI / 180;
-            (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.01, Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 0.15 }), random.Uniform(-1, 1));
-            var velocity = new Vector3d(random.Uniform(12, 14), 0, 0);
-            Vector3d lower = Radius * normal;
-            return (scene, [(lower, velocity, random.Uniform(5, 6) * down), (lower - (2 * Radius * down), velocity, random.Uniform(8, 9) * down)]);
-        });
-
-    /// <summary>A slope that falls towards −z, with a board across it at the foot of a ball at the origin, and wind along that.</summary>
-    private static (Vector3d Normal, Vector3d Down, Scene Scene) Slope(double tilt, double friction, Ground ground, double wind)
-    {
-        var normal = new Vector3d(0, Math.Cos(tilt), -Math.Sin(tilt));
-        var down = new Vector3d(0, -Math.Sin(tilt), -Math.Cos(tilt));
-        return (normal, down, InWind(new Vector3d(wind, 0, 0)) with
-        {
-            Ground = ground with { Normal = normal },
-            Obstacles = [new Obstacle { Name = "board", Shape = new PlaneShape(Radius * down, -down), Surface = s_board with { SlidingFriction = friction } }],
-        });
-    }
-
     private static Obstacle Board(string name, in Vector3d normal) => new() { Name = name, Shape = new PlaneShape(-Radius * normal, normal), Surface = s_board };
 
     private static Scene InWind(Vector3d wind) => new() { Ball = s_ball, Ground = Ground.Of(SurfaceMaterial.DryTurf), Air = new Air { Wind = wind } };
@@ -163,8 +115,7 @@ public sealed class ContactConvergenceTests
         Integrator integrator,
         double low,
         double high,
-        Func<Shots, (Scene Scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] Balls)> draw,
-        SurfaceMaterial? contact = null)
+        Func<Shots, (Scene Scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] Balls)> draw)
     {
         var random = new Shots(2606);
         var orders = new List<double>();
@@ -173,9 +124,9 @@ public sealed class ContactConvergenceTests
         for (int i = 0; i < 6; i++)
         {
             (Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls) = draw(random);
-            BallState[] truth = End(scene, balls, Integrator.Rk4, Finest, contact);
+            BallState[] truth = End(scene, balls, Integrator.Rk4, Finest);
             Assert.All(truth, state => Assert.True(state.Motion is MotionState.Rolling or MotionState.Sliding, $"{what}: {state.Motion}"));
-            double Error(double step) => End(scene, balls, integrator, step, contact).Zip(truth).Sum(pair => Vector3d.Distance(pair.First.Position, pair.Second.Position)
+            double Error(double step) => End(scene, balls, integrator, step).Zip(truth).Sum(pair => Vector3d.Distance(pair.First.Position, pair.Second.Position)
                 + (0.1 * Vector3d.Distance(pair.First.Velocity, pair.Second.Velocity))
                 + (0.01 * Vector3d.Distance(pair.First.Spin, pair.Second.Spin)));
 
@@ -190,9 +141,9 @@ public sealed class ContactConvergenceTests
     }
 
     private static BallState[] End(
-        Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step, SurfaceMaterial? contact)
+        Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step)
     {
-        var group = new BallGroup(new Simulator(scene, Flight.With(integrator)), balls.Length, contact);
+        var group = new BallGroup(new Simulator(scene, Flight.With(integrator)), balls.Length);
         BallState[] states = [.. balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin))];
         var log = new StepLog();
         group.Run(states, step, Duration, StopAt.Time, log);
