@@ -20,7 +20,7 @@ namespace FootballPhysics.Simulation;
 /// <item><see cref="RestPhase"/>: rest among moving objects, up to the first hit.</item>
 /// </list>
 /// </summary>
-internal class SceneStepper<TIntegrator> : Stepper, IFlight
+internal class SceneStepper<TIntegrator> : Stepper
     where TIntegrator : struct, IIntegrator
 {
     private readonly Vector3d _wind;
@@ -74,7 +74,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _rest = new RestPhase(around, guard, _contact, jump);
         _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
         Pile = new PilePhase(around, in _pulled, _integrator, guard, _contact);
-        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
+
+        // Custom forces turn the spin axis, so without a step along a constant axis, there are custom forces.
+        _flight = new FlightPhase<TIntegrator>(around, this as IFlight, Limit, jump, guard, _contact);
     }
 
     public override bool MayWake => _rest.MayWake;
@@ -117,9 +119,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _line = LineStep<TAir>.Covers(Around, _integrator.Order) ? new LineStep<TAir>(Around, in air, in _pulled, _integrator.Order) : null;
     }
 
-    public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
-        _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
-
     public override void Settle(ref BallState s)
     {
         World.Enter(ref s);
@@ -135,13 +134,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
         Close(ref s, in run, first);
-    }
-
-    public override void Displaced(ref BallState s, in Vector3d from, StepLog log)
-    {
-        var run = new StepRun(0, s.Time, log);
-        _displacement.Follow(ref s, in from, ref run);
-        log.Zones?.Moved(log, in s);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

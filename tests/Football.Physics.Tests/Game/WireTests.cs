@@ -222,6 +222,23 @@ public sealed class WireTests
         Assert.True(all > 50 && none > 10, $"{all} and {none}");
     }
 
+    /// <summary>The spin of a roll follows from the velocity that was rounded, so that the ball has no slip.</summary>
+    [Fact]
+    public void A_ball_that_rolls_is_read_without_slip()
+    {
+        var runner = new FixedStepRunner(timeStep: Step);
+        double radius = runner.Simulator.Scene.Ball.Radius;
+        BallState rolls = runner.Simulator.Launch(new Vector3d(1, radius, 2), new Vector3d(3.1, 0, -1.7), new Vector3d(-1.7 / radius, 4, -3.1 / radius));
+        Assert.Equal(MotionState.Rolling, rolls.Motion);
+        var bytes = new byte[Snapshot.QuantizedSize];
+        Assert.True(runner.TryWriteQuantized(in rolls, bytes));
+        BallState read = runner.ReadQuantized(bytes);
+        Assert.Equal(MotionState.Rolling, read.Motion);
+        Assert.Equal(3.1, read.Velocity.X, 1e-2);
+        Assert.Equal(4, read.Spin.Y, 0.1);
+        Assert.Equal((read.Velocity.Z / radius, -read.Velocity.X / radius), (read.Spin.X, read.Spin.Z));
+    }
+
     [Fact]
     public void Bytes_that_no_state_makes_are_refused_and_any_others_are_a_ball()
     {

@@ -142,6 +142,7 @@ public sealed class BodyTests
             double fastest = 0;
             for (int tick = 0; tick < 300; tick++)
             {
+                Assert.Equal(bodies.Count, ((System.Collections.IEnumerable)bodies).Cast<KinematicBody>().Count());
                 foreach (KinematicBody body in bodies)
                 {
                     bool jumps = random.Next(20) == 0;
