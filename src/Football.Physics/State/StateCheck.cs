@@ -9,7 +9,9 @@ internal static class StateCheck
     /// <remarks>They allow for a fall without drag and for the roll of the smallest ball. Within them, every step gives finite numbers.</remarks>
     private const double Farthest = 1e45;
 
-    private const double FastestSpeed = 1e30;
+    /// <summary>The largest speed, in m/s; in a scene, of the speed that the ball would have if it gave its spin to its motion.</summary>
+    public const double FastestSpeed = 1e30;
+
     private const double FastestSpin = 1e35;
     private const double LatestTime = 1e15;
 

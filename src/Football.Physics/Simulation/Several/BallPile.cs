@@ -5,7 +5,7 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a pile: balls in sustained contact with each other.</summary>
 /// <remarks>A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a few equal parts,
-/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce at the start of the part.
+/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce when they touch, and end a part.
 /// No ball enters a stationary object.</remarks>
 internal sealed partial class BallPile
 {
@@ -23,6 +23,9 @@ internal sealed partial class BallPile
     private const int FirstRounds = 48;
     private const int NextRounds = 20;
     private const int RestRounds = 256;
+
+    /// <summary>Maximum number of parts per ball and step that end at a bounce. After that, balls bounce at the start of a part.</summary>
+    private const int MostEnds = 16;
 
     /// <summary>Length of the part that is solved to check for rest, s.</summary>
     private const double RestPart = 1e-3;
@@ -44,6 +47,7 @@ internal sealed partial class BallPile
     private double _longest;
     private double _end;
     private int _plans;
+    private int _ends;
     private int _wholes;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
@@ -78,6 +82,9 @@ internal sealed partial class BallPile
     /// <summary>True if its balls take a whole step of the integrator; otherwise they move in straight lines.</summary>
     public bool IsWhole { get; private set; }
 
+    /// <summary>True if the part ends before its length, because a contact bounces there.</summary>
+    private bool EndsAtBounce { get; set; }
+
     /// <summary>Returns the path of a ball in a whole step.</summary>
     public PathCubic PathOf(int index) => _whole.PathOf(index);
 
@@ -88,6 +95,7 @@ internal sealed partial class BallPile
         _solver.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
+        _ends = 0;
         _wholes = 0;
         IsWhole = false;
         _length = 0;
@@ -128,6 +136,7 @@ internal sealed partial class BallPile
         }
 
         _plans = Math.Max(_plans, other._plans);
+        _ends += other._ends;
         _wholes = Math.Max(_wholes, other._wholes);
         _bounces.Absorb(other._bounces);
     }
@@ -177,7 +186,6 @@ internal sealed partial class BallPile
     /// <returns>True if a ball bounced.</returns>
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
-        _plans++;
         _end = end;
         double left = end - Time;
         bool mayBeWhole = (IsWhole || !(_length > 0)) && _wholes++ < MostWholes;
@@ -186,6 +194,7 @@ internal sealed partial class BallPile
         {
             _length = _whole.Length;
             Until = _length < left ? Time + _length : end;
+            _plans++;
             return false;
         }
 
@@ -215,8 +224,15 @@ internal sealed partial class BallPile
             top = Math.Max(top, s.Velocity.Length);
         }
 
+        // Balls that touch bounce now. A bounce within the part will end the part, if the pile has not used these ends.
         Find(states, ContactTolerances.PileMargin + (2.0 * h * (top + pull)), h);
-        bool bounced = _bounces.Bounce(states, h, logs);
+        bool mayEnd = _ends < MostEnds * Count;
+        bool bounced = _bounces.Bounce(states, mayEnd ? 0 : h, logs);
+        if (mayEnd)
+        {
+            _bounces.Mark(states, h);
+        }
+
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -232,7 +248,11 @@ internal sealed partial class BallPile
         _solver.LimitWork(h);
         _solver.SetWays();
         _length = h;
-        Until = parts > 1 ? Time + h : end;
+        double touch = _bounces.FirstTouch(h);
+        EndsAtBounce = touch < h;
+        Until = EndsAtBounce ? Time + touch : parts > 1 ? Time + h : end;
+        _ends += EndsAtBounce ? 1 : 0;
+        _plans += EndsAtBounce ? 0 : 1;
         return bounced;
     }
 
@@ -270,7 +290,7 @@ internal sealed partial class BallPile
         }
 
         // Within a part, v and ω are linear in time: interpolate a shortened part.
-        double share = time < Until ? duration / h : 1.0;
+        double share = EndsAtBounce ? duration / _length : time < Until ? duration / h : 1.0;
         for (int i = 0; i < Count; i++)
         {
             ref readonly PileMember member = ref _solver.Members[i];
