@@ -10,6 +10,7 @@ using FootballPhysics.Labs.Obstacles;
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Play;
 using FootballPhysics.Labs.Queries;
+using FootballPhysics.Labs.Rebounds;
 using FootballPhysics.Labs.Scenes;
 using FootballPhysics.Labs.Stress;
 using FootballPhysics.Labs.Zones;
@@ -178,7 +179,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), ReboundsLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

@@ -50,7 +50,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     [MethodImpl(MethodImplOptions.NoInlining)]
     public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding) || s.Nets != 0 || s.GoalsEntered != 0 || s.Time < s.SqueezeUntil)
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding) || s.Nets != 0 || s.GoalsEntered != 0)
         {
             return false;
         }

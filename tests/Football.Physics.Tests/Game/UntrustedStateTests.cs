@@ -36,8 +36,8 @@ public sealed class UntrustedStateTests
     [InlineData("clear until")]
     [InlineData("clear without key")]
     [InlineData("clear through a wall")]
-    [InlineData("squeeze")]
-    [InlineData("squeeze speed")]
+    [InlineData("reserved")]
+    [InlineData("reserved too")]
     public void What_no_ball_makes_is_refused(string what)
     {
         var simulator = new Simulator(s_scene);
@@ -119,11 +119,11 @@ public sealed class UntrustedStateTests
                 Assert.NotEqual(0UL, state.ClearIn);
                 state.ClearUntil = state.Time + 3;
                 break;
-            case "squeeze":
-                state.SqueezeUntil = state.Time + 1;
+            case "reserved":
+                state.Reserved = 1;
                 break;
-            case "squeeze speed":
-                state.SqueezeSpeed = double.NaN;
+            case "reserved too":
+                state.ReservedToo = 1UL << 63;
                 break;
         }
 
@@ -230,8 +230,6 @@ public sealed class UntrustedStateTests
         state.GoalsPassed = Flags(0.2) & 3;
         state.Time = U() < 0.5 ? 0 : Math.Pow(10, 8 * U());
         state.AirDistance = U() < 0.7 ? 0 : Math.Pow(10, 12 * U());
-        state.SqueezeUntil = U() < 0.7 ? 0 : state.Time + (0.2 * U());
-        state.SqueezeSpeed = U() < 0.7 ? 0 : Math.Pow(10, 6 * U());
         state.Branch = (DragBranch)(int)(5 * U());
         if (U() < 0.3)
         {

@@ -56,7 +56,6 @@ public sealed class ContactToleranceTests
         ContactTolerances.EnteredUnloaded,
         ContactTolerances.PileOverlap,
         ContactTolerances.BallOverlap,
-        ContactTolerances.Lingering,
     ];
 
     private static readonly double[] Speeds =

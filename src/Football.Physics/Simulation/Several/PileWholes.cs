@@ -162,7 +162,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             ball.Radius = member.Radius;
             ball.Start = s;
             ball.At = ClusterSystem.MotionOf(in s);
-            if (s.Nets != 0 || s.Motion == MotionState.Pinned || s.Time < s.SqueezeUntil)
+            if (s.Nets != 0 || s.Motion == MotionState.Pinned)
             {
                 return false;
             }
