@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Globalization;
 using System.Text.Json;
 using FootballPhysics.Golden;
@@ -13,7 +12,6 @@ namespace FootballPhysics.Passes;
 /// <remarks>A mark at the start of each block counts its own working lines, without those of the blocks in it.</remarks>
 internal static class GoldenShare
 {
-    private const string Variable = "FOOTBALL_MARKED";
     private const string Value = "golden";
     private static readonly string[] s_folders = ["Simulation", "Contacts"];
     private static readonly string s_work = Path.Combine(LibrarySources.Root, "artifacts/passes-golden");
@@ -23,13 +21,12 @@ internal static class GoldenShare
     /// <returns>The exit code: 1 if the golden lines are not those of golden.txt.</returns>
     public static int Run(bool lists)
     {
-        if (Environment.GetEnvironmentVariable(Variable) != Value)
+        if (!MarkedLibrary.Is(Value))
         {
-            Compile();
-            var start = new ProcessStartInfo(Path.Combine(s_work, "Passes"), lists ? ["--golden", "--list"] : ["--golden"]) { Environment = { [Variable] = Value } };
-            using Process process = Process.Start(start)!;
-            process.WaitForExit();
-            return process.ExitCode;
+            var found = new List<Block>();
+            var trees = LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(Marked(path, found), LibrarySources.Parsing, path)).ToList();
+            trees.Add(CSharpSyntaxTree.ParseText($$"""public static class Ran { public static readonly bool[] Blocks = new bool[{{found.Count}}]; }""", LibrarySources.Parsing));
+            return MarkedLibrary.Start(s_work, trees, "blocks.json", JsonSerializer.Serialize(found), Value, lists ? ["--golden", "--list"] : ["--golden"]);
         }
 
         Block[] blocks = JsonSerializer.Deserialize<Block[]>(File.ReadAllText(Path.Combine(s_work, "blocks.json")))!;
@@ -67,26 +64,6 @@ internal static class GoldenShare
             int lines = those.Sum(i => blocks[i].Lines.Length);
             int run = those.Sum(i => ran[i] ? blocks[i].Lines.Length : 0);
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}, {folder}: {bodies.Count(i => ran[i])} of {bodies.Length} bodies ({100.0 * bodies.Count(i => ran[i]) / bodies.Length:0.0} %), {run} of {lines} working lines in blocks ({100.0 * run / lines:0.0} %)"));
-        }
-    }
-
-    private static void Compile()
-    {
-        var blocks = new List<Block>();
-        var trees = LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(Marked(path, blocks), LibrarySources.Parsing, path)).ToList();
-        trees.Add(CSharpSyntaxTree.ParseText($$"""public static class Ran { public static readonly bool[] Blocks = new bool[{{blocks.Count}}]; }""", LibrarySources.Parsing));
-        Directory.CreateDirectory(s_work);
-        foreach (string path in Directory.EnumerateFiles(AppContext.BaseDirectory))
-        {
-            File.Copy(path, Path.Combine(s_work, Path.GetFileName(path)), overwrite: true);
-        }
-
-        File.WriteAllText(Path.Combine(s_work, "blocks.json"), JsonSerializer.Serialize(blocks));
-        using FileStream image = File.Create(Path.Combine(s_work, "Football.Physics.dll"));
-        Diagnostic[] errors = [.. LibrarySources.Compilation(trees).Emit(image).Diagnostics.Where(at => at.Severity == DiagnosticSeverity.Error)];
-        if (errors.Length > 0)
-        {
-            throw new InvalidOperationException(string.Join<Diagnostic>('\n', errors));
         }
     }
 
@@ -128,7 +105,7 @@ internal static class GoldenShare
 
             int[] lines = [.. node.DescendantTokens().Where(IsWork).Where(token => Innermost(token) == node).Select(LineOf).Distinct()];
             SyntaxNode body = BodyOf(node);
-            blocks.Add(new Block($"{name} {NameOf(body)}", body == node, lines));
+            blocks.Add(new Block($"{name} {Marker.NameOf(body.Parent!)}", body == node, lines));
         }
 
         foreach ((int at, string added) in inserted.OrderByDescending(insertion => insertion.At))
@@ -161,20 +138,6 @@ internal static class GoldenShare
 
     // The outermost block or arrow of the member.
     private static SyntaxNode BodyOf(SyntaxNode node) => node.AncestorsAndSelf().Last(at => at is BlockSyntax or ArrowExpressionClauseSyntax);
-
-    private static string NameOf(SyntaxNode body)
-    {
-        string type = body.FirstAncestorOrSelf<TypeDeclarationSyntax>()!.Identifier.Text;
-        SyntaxNode member = body.Parent is AccessorDeclarationSyntax accessor ? accessor.Parent!.Parent! : body.Parent!;
-        return type + "." + member switch
-        {
-            MethodDeclarationSyntax method => method.Identifier.Text,
-            PropertyDeclarationSyntax property => property.Identifier.Text,
-            ConstructorDeclarationSyntax => "new",
-            OperatorDeclarationSyntax operation => operation.OperatorToken.Text,
-            _ => member.Kind().ToString(),
-        };
-    }
 
     /// <summary>A block: the member that it is in, whether it is the whole body, and its own working lines.</summary>
     private sealed record Block(string Body, bool IsBody, int[] Lines);

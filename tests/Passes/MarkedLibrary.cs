@@ -13,7 +13,7 @@ internal static class MarkedLibrary
     private static readonly string[] s_files = LibrarySources.Files;
 
     /// <summary>True in the copy of the program.</summary>
-    public static bool IsUsed { get; } = Environment.GetEnvironmentVariable(Variable) == "1";
+    public static bool IsUsed { get; } = Is("1");
 
     /// <summary>The folder of the copy and of its results.</summary>
     public static string Folder { get; } = Path.Combine(LibrarySources.Root, "artifacts/passes");
@@ -37,24 +37,40 @@ internal static class MarkedLibrary
         var found = new List<Method>();
         List<SyntaxTree> trees = Trees(found, (number, _) => $"global::Passed.At({number});");
         trees.Add(CSharpSyntaxTree.ParseText(TypeOfMarks(found), LibrarySources.Parsing));
-        if (Directory.Exists(Folder))
+        return Start(Folder, trees, "methods.json", JsonSerializer.Serialize(found), "1", arguments);
+    }
+
+    /// <summary>Compiles the library from marked sources into a folder, and runs a copy of this program there.</summary>
+    /// <param name="folder">The folder of the copy.</param>
+    /// <param name="trees">The marked sources.</param>
+    /// <param name="file">The name of the file that lists the marks.</param>
+    /// <param name="marks">The content of this file.</param>
+    /// <param name="value">The value by which the copy recognises itself.</param>
+    /// <param name="arguments">The arguments of the copy.</param>
+    /// <returns>The exit code of the copy.</returns>
+    public static int Start(string folder, IEnumerable<SyntaxTree> trees, string file, string marks, string value, string[] arguments)
+    {
+        if (Directory.Exists(folder))
         {
-            Directory.Delete(Folder, true);
+            Directory.Delete(folder, true);
         }
 
-        Directory.CreateDirectory(Folder);
+        Directory.CreateDirectory(folder);
         foreach (string path in Directory.EnumerateFiles(AppContext.BaseDirectory))
         {
-            File.Copy(path, Path.Combine(Folder, Path.GetFileName(path)));
+            File.Copy(path, Path.Combine(folder, Path.GetFileName(path)));
         }
 
-        File.WriteAllText(Path.Combine(Folder, "methods.json"), JsonSerializer.Serialize(found));
-        File.WriteAllBytes(Path.Combine(Folder, "Football.Physics.dll"), Compiled(trees));
-        var start = new ProcessStartInfo(Path.Combine(Folder, "Passes"), arguments) { Environment = { [Variable] = "1" } };
+        File.WriteAllText(Path.Combine(folder, file), marks);
+        File.WriteAllBytes(Path.Combine(folder, "Football.Physics.dll"), Compiled(trees));
+        var start = new ProcessStartInfo(Path.Combine(folder, "Passes"), arguments) { Environment = { [Variable] = value } };
         using Process process = Process.Start(start)!;
         process.WaitForExit();
         return process.ExitCode;
     }
+
+    /// <summary>True in a copy that was started with this value.</summary>
+    public static bool Is(string value) => Environment.GetEnvironmentVariable(Variable) == value;
 
     /// <summary>Returns the sources with a statement in each body.</summary>
     /// <param name="found">Gets the bodies.</param>

@@ -70,7 +70,8 @@ internal static class Marker
         return text;
     }
 
-    private static string NameOf(SyntaxNode node)
+    /// <summary>Returns the type and the name of a declaration.</summary>
+    public static string NameOf(SyntaxNode node)
     {
         string type = node.FirstAncestorOrSelf<TypeDeclarationSyntax>()!.Identifier.Text;
         SyntaxNode member = node is AccessorDeclarationSyntax ? node.Parent!.Parent! : node;
