@@ -2,7 +2,7 @@
 # Times the rows of `quick` with the library of the work tree and with that of another commit, which alternate in one process. Exit code 1 if a row is above its bound.
 #   benchmarks/paired.sh [COMMIT] [--only TEXT] [--bound RATIO] [--runs N] [--seconds S]
 # COMMIT: default that of the last line of benchmarks/history.csv. TEXT: a part of "TABLE: ROW", such as "contact:" or "RK4". RATIO: default 1.03; benchmarks/bounds.tsv lists the rows with another bound.
-# N runs, default 3. S seconds for each row and run, default 0.2. All rows take about ten minutes.
+# N runs, default 3. S seconds for each row and run, default 0.2. All rows take about fourteen minutes.
 # The position of code in memory changes a time by some percent, so each run compiles both libraries again. A row that is above its bound in all runs is timed in N more; it fails if their median is above the bound, too.
 # Both libraries run the benchmarks of the work tree. A row that uses a member which the other library lacks is not compared, and says so. Rows of other code (plain, thesis, MathNet) show the noise.
 set -euo pipefail
