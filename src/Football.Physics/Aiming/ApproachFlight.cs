@@ -1,9 +1,10 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the closest approach of a kick to a target that may move.</summary>
-internal abstract class ApproachFlight : KickObserver
+internal abstract class ApproachFlight : PieceObserver, IKickObserver
 {
     private readonly KickFlight _flight;
     private double _time;
@@ -52,6 +53,12 @@ internal abstract class ApproachFlight : KickObserver
 
     /// <summary>The square of the closest approach so far, in m².</summary>
     protected double Squared { get; private set; }
+
+    public abstract double StepFrom(in BallState state, out bool watches);
+
+    public abstract bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
+
+    public abstract bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended);
 
     public override bool Add(in PathSegment piece)
     {

@@ -6,17 +6,17 @@ namespace FootballPhysics.Aiming;
 internal sealed class KickFlight
 {
     private readonly Simulator _simulator;
-    private readonly KickObserver _observer;
+    private readonly IKickObserver _observer;
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly StepLog _watched = new() { IgnoresZones = true };
 
     /// <param name="simulator">The scene.</param>
-    /// <param name="observer">The observer of the flight.</param>
-    public KickFlight(Simulator simulator, KickObserver observer)
+    /// <param name="observer">The observer of the flight; a <see cref="PieceObserver"/> if it ever needs the segments of a step.</param>
+    public KickFlight(Simulator simulator, IKickObserver observer)
     {
         _simulator = simulator;
         _observer = observer;
-        _watched.Observer = observer;
+        _watched.Observer = observer as PieceObserver;
     }
 
     /// <summary>The number of path segments of the last flight.</summary>
@@ -62,12 +62,12 @@ internal sealed class KickFlight
 }
 
 /// <summary>Controls a <see cref="KickFlight"/>: chooses the steps, evaluates them, and ends the flight.</summary>
-internal abstract class KickObserver : PieceObserver
+internal interface IKickObserver
 {
     /// <summary>Returns the length of the next step, in s.</summary>
     /// <param name="state">The ball at the start of the step.</param>
     /// <param name="watches">True if the observer must see the segments of the step.</param>
-    public abstract double StepFrom(in BallState state, out bool watches);
+    double StepFrom(in BallState state, out bool watches);
 
     /// <summary>Evaluates an unobserved step from its ends.</summary>
     /// <param name="before">The ball at the start of the step.</param>
@@ -76,10 +76,8 @@ internal abstract class KickObserver : PieceObserver
     /// <param name="ended">True if the flight ends with the step, by an impact or for the observer.</param>
     /// <returns>True if the ends are insufficient: the step is repeated, and <see cref="PieceObserver.Add(in PathSegment)"/> receives its
     /// segments.</returns>
-    public abstract bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
+    bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
 
     /// <summary>True if the flight is over after a step.</summary>
-    public virtual bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended) => ended;
-
-    public override bool Add(in PathSegment piece) => false;
+    bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended) => ended;
 }

@@ -75,9 +75,6 @@ public sealed class Ball
     /// <summary>The events of the last step, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
-    /// <summary>The number of right-hand-side evaluations in the last step.</summary>
-    internal long Evaluations => _log.Evaluations;
-
     /// <summary>The time since the ball was placed, in s.</summary>
     public double Time => _state.Time;
 

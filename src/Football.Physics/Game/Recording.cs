@@ -319,9 +319,6 @@ public sealed class Recording
         return runner.Group is null ? hash : hash ^ Simulation.SceneHash.Of(runner.Group.Contact);
     }
 
-    /// <summary>The number of bodies and movable obstacles in the scene.</summary>
-    internal int Movers => _motions.Length;
-
     private long? FirstDivergence(FixedStepRunner runner)
     {
         while (runner.Tick < EndTick)

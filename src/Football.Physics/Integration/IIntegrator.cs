@@ -4,17 +4,8 @@ using FootballPhysics.State;
 namespace FootballPhysics.Integration;
 
 /// <summary>A one-step method. To add one, implement this interface, and add a name to <see cref="Integrator"/> and <see cref="StepperFactory"/>.</summary>
-internal interface IIntegrator
+internal interface IIntegrator : IMotionMethod
 {
-    /// <summary>The number of evaluations per step.</summary>
-    int Stages { get; }
-
-    /// <summary>True if the last stage is at the end of the step.</summary>
-    bool LastStageAtEnd { get; }
-
-    /// <summary>The order of accuracy.</summary>
-    int Order { get; }
-
     /// <summary>The coefficients.</summary>
     Tableau Tableau { get; }
 
@@ -35,6 +26,19 @@ internal interface IIntegrator
     /// <param name="step">The result of the step.</param>
     void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws;
+}
+
+/// <summary>A one-step method for a general motion.</summary>
+internal interface IMotionMethod
+{
+    /// <summary>The number of evaluations per step.</summary>
+    int Stages { get; }
+
+    /// <summary>True if the last stage is at the end of the step.</summary>
+    bool LastStageAtEnd { get; }
+
+    /// <summary>The order of accuracy.</summary>
+    int Order { get; }
 
     /// <summary>Takes a step of a general motion, on any surface, or in flight with custom forces.</summary>
     /// <param name="system">The system that computes the rates.</param>

@@ -271,36 +271,6 @@ public readonly struct PathSegment
         return true;
     }
 
-    /// <summary>Finds the time at which the segment returns through a plane that it has crossed. False if it does not.</summary>
-    /// <param name="point">A point on the plane.</param>
-    /// <param name="normal">The normal of the plane; any length.</param>
-    /// <param name="crossed">The time of the first crossing, in s since the launch.</param>
-    /// <param name="time">The time of the return, in s since the launch.</param>
-    internal bool CrossesBack(in Vector3d point, in Vector3d normal, double crossed, out double time)
-    {
-        double before = Vector3d.Dot(StartPosition - point, in normal);
-        double after = Vector3d.Dot(EndPosition - point, in normal);
-        time = crossed;
-        if (before < 0 != after < 0 || after == 0)
-        {
-            return false;
-        }
-
-        // The path turns behind the plane, and then returns exactly once.
-        double low = (crossed - Time) / Length;
-        var approach = new PlaneApproach(in this, in normal, before > 0);
-        approach.Evaluate(low, out double atCrossing);
-        approach.Evaluate(1, out double atEnd);
-        double turn = atCrossing < 0 && atEnd > 0 ? Roots.Illinois(ref approach, low, atCrossing, 1, atEnd, Closeness, MostEvaluations) : low;
-        var distance = new PlaneDistance(in this, in point, in normal, before < 0);
-
-        // The first guess is the secant from the turn to the end.
-        distance.Evaluate(turn, out double behind, out _);
-        double start = behind > 0 ? turn + ((1 - turn) * behind / (behind + Math.Abs(after))) : turn;
-        time = Time + (Roots.Newton(ref distance, turn, 1, start) * Length);
-        return true;
-    }
-
     /// <summary>Finds the closest approach to a point.</summary>
     /// <param name="point">The point.</param>
     /// <param name="time">The time of the closest approach, in s since the launch.</param>

@@ -1,5 +1,3 @@
-using FootballPhysics.State;
-
 namespace FootballPhysics.Integration;
 
 /// <summary>Steps of high order in parts, for a ball in a net: its forces change faster than a step.</summary>
@@ -7,7 +5,7 @@ namespace FootballPhysics.Integration;
 /// The motion sets the length of each part. Only the last part depends on the length of the step, so the end depends smoothly on that length. A part that is
 /// shorter than necessary takes a method of lower order, which needs fewer evaluations.
 /// </remarks>
-internal struct Substeps : IIntegrator
+internal struct Substeps : IMotionMethod
 {
     /// <summary>The share of the longest part below which the classical method is as accurate.</summary>
     private const double Short = 0.02;
@@ -33,20 +31,6 @@ internal struct Substeps : IIntegrator
     public readonly bool LastStageAtEnd => true;
 
     public readonly int Order => default(ClassicalRungeKutta).Order;
-
-    public readonly Tableau Tableau => default(ClassicalRungeKutta).Tableau;
-
-    public readonly double ShareInPath => default(ClassicalRungeKutta).ShareInPath;
-
-    public readonly bool GainsByHops => default(ClassicalRungeKutta).GainsByHops;
-
-    public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
-        where TAir : struct, IFlightLaws
-    {
-        ClassicalRungeKutta method = default;
-        Stages = method.Stages;
-        method.Fly(ref air, in start, ref motion, in wind, branch, upward, h, out step);
-    }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem

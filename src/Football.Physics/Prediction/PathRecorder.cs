@@ -3,7 +3,7 @@ using FootballPhysics.Simulation;
 namespace FootballPhysics.Prediction;
 
 /// <summary>Stores the segments of a path, and ends the look-ahead as soon as a stop condition is met.</summary>
-internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : PieceObserver
+internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : PathObserver
 {
     private readonly Trajectory _owner = owner;
     private readonly PathSegment[] _pieces = pieces;
@@ -16,10 +16,6 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pie
     private BallState _openEnd;
     private double _openLength;
     private bool _isShown; // true if it has been completed for a pause
-
-    public override bool WantsEndAcceleration => true;
-
-    internal override bool WantsStates => false;
 
     /// <summary>True to take the acceleration at the end of a step of flight from the start of the next one.</summary>
     public bool LeavesOpen { get; set; }
@@ -49,7 +45,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pie
         }
     }
 
-    internal override bool AddFlight(
+    public override bool AddFlight(
         Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree)
     {
         double length = end.Time - time;
@@ -91,7 +87,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pie
         return IsFull();
     }
 
-    internal override bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree)
+    public override bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree)
     {
         if (_untilPlane || _untilPassing)
         {

@@ -203,9 +203,6 @@ public sealed class KinematicBody
     /// <summary>The number of steps checked before the last move.</summary>
     internal long MovedAt { get; set; } = -1;
 
-    /// <summary>Returns a bounding box at a time.</summary>
-    internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);
-
     /// <summary>Returns a box that bounds the body for a duration if the box moves with the body's velocity.</summary>
     internal Bounds3d BoundsDuring(double time, double duration) => Placement.BoundsDuring(time, duration);
 }

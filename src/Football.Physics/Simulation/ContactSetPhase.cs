@@ -95,7 +95,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
     [SkipLocalsInit]
     private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
         Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
@@ -184,7 +184,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     private static void Integrate<TMethod>(in BallState s, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         ref readonly ContactSystem system = ref piece.System;
         var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
@@ -197,7 +197,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// border between two materials, a net that goes slack, or a new contact.</summary>
     private void Shorten<TMethod>(
         ref MotionSweep<ContactSystem, TMethod> sweep, ref BallState s, ref StepRun run, Span<Contact> set, double* starts, ref SetPiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         ref ContactSystem system = ref piece.System;
         double whole = sweep.Length;
@@ -229,7 +229,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
     /// <summary>Moves the ball to the end of a piece, then projects it onto its contacts, because it drifts off curved surfaces.</summary>
     private void Move<TMethod>(ref BallState s, ref StepRun run, ref MotionSweep<ContactSystem, TMethod> sweep, Span<Contact> set, in SetPiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         BallState before = s;
         before.Branch = piece.System.Branch;

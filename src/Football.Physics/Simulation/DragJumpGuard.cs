@@ -78,7 +78,7 @@ internal sealed class DragJumpGuard
     /// surface.</summary>
     public DragBranch EndAlongSurface<TIntegrator>(
         ref MotionSweep<FlightSystem, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
-        where TIntegrator : struct, IIntegrator
+        where TIntegrator : struct, IMotionMethod
     {
         double h = sweep.Length;
         DragBranch along = sweep.System.Branch;

@@ -14,7 +14,7 @@ internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
     private readonly Surroundings _around;
-    private readonly IFlight _flight;
+    private readonly IFlight? _flight; // null if forces turn the spin axis
     private readonly ClassicalFlight _classical;
     private readonly StabilityLimit _limit;
     private readonly DragJumpGuard _jump;
@@ -28,7 +28,7 @@ internal sealed class FlightPhase<TIntegrator>
 
     public FlightPhase(
         Surroundings around,
-        IFlight flight,
+        IFlight? flight,
         in StabilityLimit limit,
         DragJumpGuard jump,
         WorldGuard guard,
@@ -65,7 +65,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
         else if (hasAxis)
         {
-            TakeAlongAxis(ref s, ref run, h, spirals ? _classical : _flight);
+            TakeAlongAxis(ref s, ref run, h, spirals ? _classical : _flight!);
         }
         else if (spirals)
         {
@@ -91,7 +91,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
     private void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
         NetGuard.KeepFinite(ref sweep, in s);
@@ -161,7 +161,7 @@ internal sealed class FlightPhase<TIntegrator>
 
     /// <summary>Integrates a piece with the full spin vector.</summary>
     private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, out MotionSweep<FlightSystem, TMethod> sweep)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem system = _system;
@@ -195,7 +195,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>Ends a piece with the full spin vector at the first event within it.</summary>
     /// <returns>False if the piece must be repeated on another branch of the drag law.</returns>
     private bool Shorten<TMethod>(ref MotionSweep<FlightSystem, TMethod> sweep, ref BallState s, ref StepRun run, int order, out FlightEnd end)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         end = new FlightEnd { Branch = s.Branch };
         bool goes = true;

@@ -11,7 +11,7 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 /// <typeparam name="TAir">The air model, without custom forces.</typeparam>
 /// <typeparam name="TIntegrator">The integrator.</typeparam>
-internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>
+internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>, IFlight
     where TAir : struct, IFlightAir
     where TIntegrator : struct, IIntegrator
 {
@@ -136,7 +136,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         return WholeStep.Done;
     }
 
-    public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
+    public void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
         Fly(_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h), in start, ref motion, in wind, branch, upward, h, out step);
 
     /// <summary>Integrates a step with the fast form of the laws if it covers this range, otherwise with the full form.</summary>

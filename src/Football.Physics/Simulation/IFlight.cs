@@ -7,10 +7,10 @@ namespace FootballPhysics.Simulation;
 /// <summary>Takes a step of flight along a constant spin axis, with the fastest valid form of the laws.</summary>
 internal interface IFlight
 {
-    /// <inheritdoc cref="IIntegrator.Order"/>
+    /// <inheritdoc cref="IMotionMethod.Order"/>
     int Order { get; }
 
-    /// <inheritdoc cref="IIntegrator.Stages"/>
+    /// <inheritdoc cref="IMotionMethod.Stages"/>
     int Stages { get; }
 
     /// <inheritdoc cref="IIntegrator.Fly"/>

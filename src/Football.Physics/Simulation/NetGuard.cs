@@ -28,7 +28,7 @@ internal sealed class NetGuard
     /// <remarks>At a speed beyond any shot, a slide can pass from a straight surface to a curved one within a piece, where its parts are too long.</remarks>
     public static void KeepFinite<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, in BallState s)
         where TSystem : struct, IMotionSystem
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         for (int i = 0; i < MostShortened && s.Nets != 0 && !SetGuard.IsFinite(in sweep.Taken.End); i++)
         {

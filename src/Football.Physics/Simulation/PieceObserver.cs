@@ -8,16 +8,6 @@ internal abstract class PieceObserver
     /// <remarks>This costs one force evaluation per piece. Without it, the pieces are cubic.</remarks>
     public virtual bool WantsEndAcceleration => false;
 
-    /// <summary>False if the observer ignores the states at the ends of a piece, and always needs the acceleration at its end.</summary>
-    internal virtual bool WantsStates => true;
-
-    /// <summary>Called after a whole step of flight, if the observer ignores the states.</summary>
-    internal virtual bool AddFlight(
-        Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree) => false;
-
-    /// <summary>Called before a whole step without air, if the observer ignores the states.</summary>
-    internal virtual bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree) => false;
-
     /// <summary>Called after every piece, before the event that may end it.</summary>
     /// <param name="piece">The piece of the path.</param>
     /// <returns>True to end the step and the run here.</returns>
@@ -29,4 +19,17 @@ internal abstract class PieceObserver
     /// <param name="piece">The piece.</param>
     /// <returns>The same as for <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
     public virtual bool Add(in BallState before, in BallState after, in PathSegment piece) => Add(in piece);
+}
+
+/// <summary>Observes the path alone: it ignores the states at the ends of a piece, and always needs the acceleration at its end.</summary>
+internal abstract class PathObserver : PieceObserver
+{
+    public override bool WantsEndAcceleration => true;
+
+    /// <summary>Called after a whole step of flight.</summary>
+    public abstract bool AddFlight(
+        Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree);
+
+    /// <summary>Called before a whole step without air.</summary>
+    public abstract bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree);
 }

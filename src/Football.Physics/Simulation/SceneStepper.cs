@@ -19,7 +19,7 @@ namespace FootballPhysics.Simulation;
 /// <item><see cref="RestPhase"/>: rest among moving objects, up to the first hit.</item>
 /// </list>
 /// </summary>
-internal class SceneStepper<TIntegrator> : Stepper, IFlight
+internal class SceneStepper<TIntegrator> : Stepper
     where TIntegrator : struct, IIntegrator
 {
     private readonly Vector3d _wind;
@@ -72,7 +72,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _rest = new RestPhase(around, guard, _contact, jump);
         _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
         Pile = new PilePhase(around, guard, _contact);
-        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
+
+        // Custom forces turn the spin axis, so without a step along a constant axis, there are custom forces.
+        _flight = new FlightPhase<TIntegrator>(around, this as IFlight, Limit, jump, guard, _contact);
     }
 
     public override bool MayWake => _rest.MayWake;
@@ -112,9 +114,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _flat = new FlatSurfaceStep<TAir>(scene, settings, _integrator, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
     }
 
-    public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
-        _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
-
     public override void Settle(ref BallState s)
     {
         World.Enter(ref s);
@@ -130,13 +129,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
         Close(ref s, in run, first);
-    }
-
-    public override void Displaced(ref BallState s, in Vector3d from, StepLog log)
-    {
-        var run = new StepRun(0, s.Time, log);
-        _displacement.Follow(ref s, in from, ref run);
-        log.Zones?.Moved(log, in s);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

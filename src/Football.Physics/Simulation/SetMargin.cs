@@ -10,7 +10,7 @@ namespace FootballPhysics.Simulation;
 /// zero, an unloaded contact gets a load, the ball comes to rest, or the spin about the bearer's normal ends.
 /// </remarks>
 internal unsafe struct SetMargin<TIntegrator> : IFunction
-    where TIntegrator : struct, IIntegrator
+    where TIntegrator : struct, IMotionMethod
 {
     private const int MostSteps = 40;
 

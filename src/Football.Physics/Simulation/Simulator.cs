@@ -391,9 +391,6 @@ public sealed class Simulator
     internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log) =>
         _stepper.Struck(ref s, in velocity, in spin, in n, log);
 
-    /// <inheritdoc cref="Stepper.Displaced"/>
-    internal void Displaced(ref BallState s, in Vector3d from, StepLog log) => _stepper.Displaced(ref s, in from, log);
-
     /// <summary>A hash of everything that determines the ball's path in this scene. Compare the hash between machines.</summary>
     /// <remarks>
     /// The hash covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in any value have different hashes.

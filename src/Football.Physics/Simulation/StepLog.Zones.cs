@@ -6,7 +6,7 @@ namespace FootballPhysics;
 public sealed partial class StepLog
 {
     private PieceObserver? _observer;
-    private bool _wantsPathOnly;
+    private PathObserver? _path;
     private ZoneWatch? _zones;
     private ZoneCrossing[] _crossings = [];
     private int _crossingCount;

@@ -75,12 +75,12 @@ public sealed partial class StepLog
         {
             _observer = value;
             IsWatched = value is not null || _zones is not null;
-            _wantsPathOnly = value is { WantsStates: false };
+            _path = value as PathObserver;
         }
     }
 
-    /// <summary>True if only the path is observed: see <see cref="PieceObserver.WantsStates"/>.</summary>
-    internal bool WantsPathOnly => _wantsPathOnly && _zones is null;
+    /// <summary>True if only the path is observed: see <see cref="PathObserver"/>.</summary>
+    internal bool WantsPathOnly => _path is not null && _zones is null;
 
     /// <summary>Reports a whole step of flight to an observer that ignores the states.</summary>
     /// <param name="stepper">Computes the acceleration at the end, if it is needed.</param>
@@ -93,7 +93,7 @@ public sealed partial class StepLog
     /// <param name="order">Order of the integrator.</param>
     internal void ShowFlight(
         Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int order) =>
-        Halted |= _observer!.AddFlight(stepper, in end, time, in position, in velocity, spin, in acceleration, PathSegment.DegreeOf(order, true));
+        Halted |= _path!.AddFlight(stepper, in end, time, in position, in velocity, spin, in acceleration, PathSegment.DegreeOf(order, true));
 
     /// <summary>Reports a whole step without air, before it is taken, to an observer that ignores the states.</summary>
     /// <param name="start">The ball at the start.</param>
@@ -104,7 +104,7 @@ public sealed partial class StepLog
     /// <param name="upward">The constant upward acceleration, m/s².</param>
     /// <param name="order">Order of the integrator.</param>
     internal void ShowFall(in BallState start, double h, double end, double climb, double height, double upward, int order) =>
-        Halted |= _observer!.AddFall(in start, h, end, climb, height, upward, PathSegment.DegreeOf(order, true));
+        Halted |= _path!.AddFall(in start, h, end, climb, height, upward, PathSegment.DegreeOf(order, true));
 
     /// <summary>Reports a piece to the zones and to the observer.</summary>
     /// <param name="before">The ball at the start of the piece.</param>

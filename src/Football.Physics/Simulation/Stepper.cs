@@ -44,13 +44,6 @@ internal abstract class Stepper
     /// <param name="log">Receives the events.</param>
     public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log);
 
-    /// <summary>Follows a ball that an overlapping ball has displaced in a straight line: it may enter nets and pass through goals on that
-    /// path.</summary>
-    /// <param name="s">The ball.</param>
-    /// <param name="from">Its old position, m.</param>
-    /// <param name="log">Receives the events.</param>
-    public abstract void Displaced(ref BallState s, in Vector3d from, StepLog log);
-
     /// <summary>True if no flight between two positions, however curved, can reach a stationary object other than level ground.</summary>
     /// <param name="from">Start position, m.</param>
     /// <param name="to">End position, m.</param>

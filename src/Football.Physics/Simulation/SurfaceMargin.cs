@@ -9,7 +9,7 @@ namespace FootballPhysics.Simulation;
 /// about the normal.</summary>
 /// <remarks>Each margin is a function along the piece that is positive until its event.</remarks>
 internal struct SurfaceMargin<TIntegrator> : IFunction
-    where TIntegrator : struct, IIntegrator
+    where TIntegrator : struct, IMotionMethod
 {
     public MotionSweep<SurfaceSystem, TIntegrator> Sweep;
     private readonly SurfaceLimit _what;

@@ -95,7 +95,7 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     private void Take<TMethod>(ref BallState s, ref StepRun run, ref SurfacePiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         Integrate(in s, in piece, out MotionSweep<SurfaceSystem, TMethod> sweep);
         Shorten(ref sweep, ref s, ref run, ref piece);
@@ -249,7 +249,7 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     private void Integrate<TMethod>(in BallState s, in SurfacePiece piece, out MotionSweep<SurfaceSystem, TMethod> sweep)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         sweep = new MotionSweep<SurfaceSystem, TMethod>(in piece.System, s.Time, in piece.From, in piece.Start, _around.Wind, _around.Radius);
         sweep.Step(piece.Length);
@@ -258,7 +258,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Ends a piece at the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.</summary>
     private void Shorten<TMethod>(ref MotionSweep<SurfaceSystem, TMethod> sweep, ref BallState s, ref StepRun run, ref SurfacePiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         int order = default(TMethod).Order;
         ref SurfaceSystem system = ref piece.System;
@@ -292,7 +292,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Moves the ball to the end of a piece, then projects it onto its carrier and onto the surface that it hits.</summary>
     private void Move<TMethod>(ref BallState s, ref StepRun run, ref MotionSweep<SurfaceSystem, TMethod> sweep, in SurfacePiece piece)
-        where TMethod : struct, IIntegrator
+        where TMethod : struct, IMotionMethod
     {
         int order = default(TMethod).Order;
         BallState before = s;

@@ -107,7 +107,7 @@ internal interface IFlightSweep : IFlowSweep
 /// <summary>A step of any motion, which can be repeated with other lengths.</summary>
 internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     where TSystem : struct, IMotionSystem
-    where TIntegrator : struct, IIntegrator
+    where TIntegrator : struct, IMotionMethod
 {
     public TSystem System;
     public MotionStep Taken;

@@ -127,8 +127,10 @@ public sealed class RestConditionTests
 
         var ball = new Ball(scene);
         ball.Step(Frame);
-        ball.Step(Frame);
-        Assert.Equal(held, ball.Evaluations == 0);
+        BallState state = ball.State;
+        var log = new StepLog();
+        ball.Simulator.Step(ref state, Frame, log);
+        Assert.Equal(held, log.Evaluations == 0);
     }
 
     private static void As_after_a_kick(string way, Scene scene, int steps, double? expected)

@@ -199,7 +199,7 @@ public sealed class LazyBodyTests
                 if (_isRead)
                 {
                     _ = body.Motion;
-                    _ = body.BoundsAt(time);
+                    _ = body.BoundsDuring(time, 0);
                     _ = body.Placement.Refine();
                     _ = Bodies.Version + Bodies.Moves;
                 }

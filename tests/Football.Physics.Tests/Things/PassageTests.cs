@@ -305,28 +305,6 @@ public sealed class PassageTests
         }
     }
 
-    [Fact]
-    public void What_a_ball_passes_on_a_displacement_is_told_in_order()
-    {
-        var simulator = new Simulator(s_scene);
-        BallState state = simulator.Launch(new Vector3d(3.2, 1, -19.9), Vector3d.Zero, Vector3d.Zero);
-        Vector3d from = state.Position;
-        state.Position = new Vector3d(3.9, 1, -20.4);
-        var log = new StepLog();
-        simulator.Displaced(ref state, in from, log);
-        Assert.Equal(["goal", "net"], log.Events.Span.ToArray().OrderBy(item => item.Position.X).Select(item => item.Kind == BallEventKind.Goal ? "goal" : "net").Distinct());
-        Assert.Equal(1, Goals(log.Events));
-        Assert.Equal(new Vector3d(3.9, 1, -20.4), state.Position);
-
-        // And back out of the mouth, before the line: it has to come in again.
-        BallState entered = simulator.Launch(new Vector3d(0, 1, -20.1), Vector3d.Zero, Vector3d.Zero);
-        Assert.Equal(1UL, entered.GoalsEntered);
-        from = entered.Position;
-        entered.Position = new Vector3d(0, 1, -19.9);
-        simulator.Displaced(ref entered, in from, log);
-        Assert.Equal(0UL, entered.GoalsEntered);
-    }
-
     /// <summary>Rounded over the line at the end of a step, and kicked before the next: the goal is told all the same.</summary>
     [Fact]
     public void A_kick_does_not_take_the_ball_out_of_the_mouth()

@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Aiming;
 
@@ -7,7 +8,7 @@ namespace FootballPhysics.Aiming;
 /// <remarks>
 /// Without ground, the crossing changes smoothly with the kick, so Newton's method converges.
 /// </remarks>
-internal sealed class PlaneShooter : KickObserver
+internal sealed class PlaneShooter : PieceObserver, IKickObserver
 {
     /// <summary>A remaining time below this share of the longest step is too short for a step of its own.</summary>
     private const double ShortestStep = 1e-3;
@@ -80,7 +81,7 @@ internal sealed class PlaneShooter : KickObserver
         _context.CountSimulation(_flight.Pieces);
     }
 
-    public override double StepFrom(in BallState state, out bool watches)
+    public double StepFrom(in BallState state, out bool watches)
     {
         // Use equal steps, one of which ends at the expected crossing, where the interpolation is most accurate.
         watches = false;
@@ -93,7 +94,7 @@ internal sealed class PlaneShooter : KickObserver
         return _step;
     }
 
-    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    public bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
         // If a step has one segment, interpolate the crossing in it. If it has several (at the jump in the drag law), repeat the step and inspect
         // each segment. If there is no crossing, only store the height.

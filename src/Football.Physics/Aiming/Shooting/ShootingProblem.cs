@@ -7,7 +7,7 @@ namespace FootballPhysics.Aiming;
 /// A waypoint before the target is optional. The unknowns are elevation, azimuth, speed, spins and times; each is free within bounds, or held. The
 /// residuals are the gaps at those times. They change smoothly with all unknowns, even if the path bends.
 /// </remarks>
-internal sealed class ShootingProblem : KickObserver, ILeastSquares
+internal sealed class ShootingProblem : IKickObserver, ILeastSquares
 {
     /// <summary>
     /// The indices of the unknowns: two angles, log speed, two spins, log time to the target, and the waypoint's share of that time.
@@ -288,13 +288,13 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return _squared;
     }
 
-    public override double StepFrom(in BallState state, out bool watches)
+    public double StepFrom(in BallState state, out bool watches)
     {
         watches = false;
         return _scanStep;
     }
 
-    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    public bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
         // Use long steps, each treated as straight, until the ball falls well below both its start and the target.
         double time;
@@ -396,7 +396,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 }
 
 /// <summary>A flight or a roll to a given time.</summary>
-internal sealed class TimedFlight : KickObserver
+internal sealed class TimedFlight : IKickObserver
 {
     /// <summary>The step of a roll, in s; the step of a fast roll, in s; and the minimum speed of a fast roll, in m/s.</summary>
     /// <remarks>A fast roll can reach the jump in the drag law.</remarks>
@@ -423,7 +423,7 @@ internal sealed class TimedFlight : KickObserver
         return _kick.Pieces;
     }
 
-    public override double StepFrom(in BallState state, out bool watches)
+    public double StepFrom(in BallState state, out bool watches)
     {
         // In the air, use equal steps, the last of which ends at the given time. On the ground, use shorter steps for a fast ball.
         watches = false;
@@ -431,7 +431,7 @@ internal sealed class TimedFlight : KickObserver
         return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);
     }
 
-    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    public bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
         ended = after.Motion == MotionState.Rest;
         return false;

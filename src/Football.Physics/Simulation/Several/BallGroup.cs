@@ -138,24 +138,14 @@ public sealed partial class BallGroup
             Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
         }
 
-        return Run(states, timeStep, duration, stopAt, log, null, afterStep is null ? null : (in BallState _) => afterStep());
-    }
-
-    /// <summary>Runs the balls with logs that observe their paths, and a callback after every step.</summary>
-    internal bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog[] watched, Simulator.StepCallback? onStep) =>
-        Run(states, timeStep, duration, stopAt, null, watched, onStep);
-
-    private bool Run(
-        BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog? log, StepLog[]? watched, Simulator.StepCallback? onStep)
-    {
         // Take at least one step, because the step validates the states.
         double end = (states.Length > 0 ? states[0].Time : 0) + duration;
         double last = end - (ContactTolerances.StepRounding * timeStep);
         do
         {
             double left = end - (states.Length > 0 ? states[0].Time : 0);
-            bool ended = Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, watched);
-            onStep?.Invoke(in states[0]);
+            bool ended = Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, null);
+            afterStep?.Invoke();
             if (ended || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Rest)))
             {
                 return true;
