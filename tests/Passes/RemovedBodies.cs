@@ -15,13 +15,13 @@ internal static class RemovedBodies
     /// <summary>The environment variable with the path of the file to which a process appends the tests that reach each body. A test can load the library twice.</summary>
     public const string Reached = "FOOTBALL_REMOVED_REACHED";
 
-    // The test is on the stack. The first calls of a body look for it, and then ever fewer.
+    // The test is on the stack. The first calls of a body look for it, and then one call per millisecond, so that each test is seen.
     private const string Switch = $$"""
         internal static class Removed
         {
             private static readonly int Active = int.Parse(System.Environment.GetEnvironmentVariable("{{Variable}}")!);
             private static readonly string? Path = System.Environment.GetEnvironmentVariable("{{Reached}}");
-            private static readonly System.Collections.Generic.Dictionary<int, (long Calls, System.Collections.Generic.HashSet<string> Tests)> Bodies = [];
+            private static readonly System.Collections.Generic.Dictionary<int, (long Calls, long Last, System.Collections.Generic.HashSet<string> Tests)> Bodies = [];
 
             static Removed()
             {
@@ -48,9 +48,11 @@ internal static class RemovedBodies
             {
                 lock (Bodies)
                 {
-                    (long calls, System.Collections.Generic.HashSet<string> tests) = Bodies.TryGetValue(number, out var body) ? body : (0, []);
-                    Bodies[number] = (++calls, tests);
-                    if (calls > 200 && calls % 97 != 0 || calls > 20000 && calls % 9973 != 0)
+                    long now = System.Diagnostics.Stopwatch.GetTimestamp();
+                    (long calls, long last, System.Collections.Generic.HashSet<string> tests) = Bodies.TryGetValue(number, out var body) ? body : (0, 0, []);
+                    bool looks = calls < 200 || now - last > System.Diagnostics.Stopwatch.Frequency / 1000;
+                    Bodies[number] = (calls + 1, looks ? now : last, tests);
+                    if (!looks)
                     {
                         return;
                     }
