@@ -60,6 +60,22 @@ public sealed class SceneTextTests
     }
 
     [Fact]
+    public void Hills_have_the_rows_of_their_heights()
+    {
+        double[,] heights = { { 0, 0.1, 0.2 }, { 0.3, 0.4, 0.5 } };
+        Scene scene = Scene.Default with { Ground = new Ground { Heights = new HeightField(-1, -2, 10, heights) } };
+        JsonElement values = Parsed(new SceneText().Begin().Add(new Simulator(scene)).End().ToString()).GetProperty("scene").GetProperty("ground").GetProperty("heights").GetProperty("values");
+        Assert.Equal([[0, 0.1, 0.2], [0.3, 0.4, 0.5]], values.EnumerateArray().Select(row => row.EnumerateArray().Select(value => value.GetDouble()).ToArray()));
+    }
+
+    [Fact]
+    public void Code_has_no_text()
+    {
+        Scene scene = Scene.Default with { Forces = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
+        Assert.Contains("is code or has no", Assert.Throws<InvalidOperationException>(() => new SceneText().Begin().Add(new Simulator(scene))).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Layers_that_a_ball_ignores_are_listed()
     {
         Scene scene = Scene.Default with { Ball = new BallProperties { Ignores = Layers.Of(1, 5, 31) } };

@@ -54,6 +54,25 @@ public sealed class UntrustedStateTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new FixedStepRunner(simulator).Restore(0, in state));
     }
 
+    /// <summary>The message states the bits, the position and the distance that do not fit.</summary>
+    [Theory]
+    [InlineData("nets", "^state.nets is 0x2; allowed: the nets that a ball at ")]
+    [InlineData("no such net", "^state.nets is 0x10000000000; allowed: bits of the 8 nets of the scene")]
+    [InlineData("no such goal", "^state.goals is 0x4; allowed: bits of the 2 goals of the scene")]
+    [InlineData("mouth", "^state.goalsEntered is 0x1; allowed: the goals in whose mouth a ball at ")]
+    [InlineData("passed and entered", "^state.goalsEntered is 0x1; allowed: goals whose line the ball has not passed")]
+    [InlineData("carrier far", "^state.position is .* touches \"table\", which carries it; (3|2.99+[0-9]*|3.00+[0-9]*) m are between")]
+    [InlineData("carrier net", "^state.carrier is [0-9]+; allowed: a thing that can carry the ball")]
+    public void The_message_states_the_numbers_that_do_not_fit(string what, string message)
+    {
+        var simulator = new Simulator(s_scene);
+        BallState state = what.StartsWith("carrier", StringComparison.Ordinal)
+            ? Resting(simulator, new Vector3d(20, 1, 0))
+            : simulator.Launch(new Vector3d(0, 6, 40), new Vector3d(2, 3, -18), new Vector3d(0, 40, 0));
+        BallState crafted = Crafted(what, state);
+        Assert.Matches(message, Assert.Throws<ArgumentOutOfRangeException>(() => simulator.Validate(in crafted)).Message);
+    }
+
     private static BallState Crafted(string what, BallState state)
     {
         switch (what)

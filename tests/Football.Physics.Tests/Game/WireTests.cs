@@ -222,6 +222,26 @@ public sealed class WireTests
         Assert.True(all > 50 && none > 10, $"{all} and {none}");
     }
 
+    /// <summary>The bytes do not store the horizontal spin of a roll: it follows from the velocity, so that the ball has no slip.</summary>
+    [Fact]
+    public void A_ball_that_rolls_is_read_without_slip()
+    {
+        var runner = new FixedStepRunner(timeStep: Step) { QuantizationInterval = 1 };
+        double radius = runner.Simulator.Scene.Ball.Radius;
+        runner.Restore(0, runner.Simulator.Launch(new Vector3d(1, radius, 2), new Vector3d(3.1, 0, -1.7), new Vector3d(-1.7 / radius, 4, -3.1 / radius)));
+        runner.Step();
+        BallState rolls = runner.State;
+        Assert.Equal(MotionState.Rolling, rolls.Motion);
+        var bytes = new byte[Snapshot.QuantizedSize];
+        Assert.True(runner.TryWriteQuantized(in rolls, bytes));
+        BallState read = runner.ReadQuantized(bytes);
+        Assert.Equal((MotionState.Rolling, rolls.Velocity, rolls.Spin), (read.Motion, read.Velocity, read.Spin));
+        Assert.Equal(3.1, read.Velocity.X, 0.05);
+        Assert.Equal(4, read.Spin.Y, 0.2);
+        Assert.Equal(read.Velocity.Z / radius, read.Spin.X, 1e-12);
+        Assert.Equal(-read.Velocity.X / radius, read.Spin.Z, 1e-12);
+    }
+
     [Fact]
     public void Bytes_that_no_state_makes_are_refused_and_any_others_are_a_ball()
     {

@@ -36,6 +36,19 @@ public sealed class AirContractTests
         Assert.True(SceneAir.Of(mixed).Acts);
     }
 
+    /// <summary>Without a field, drag and lift are the only forces of the air.</summary>
+    [Fact]
+    public void Steady_air_has_no_variable_wind_and_no_side_force()
+    {
+        IFlightLaws[] steady = [default(NoAir), new ConstantAir(LawGrid.Scene with { Forces = ForceSet.Constant }), new TableAir<MeasuredLaw>(LawGrid.Scene), new TableAir<PublishedLaw>(LawGrid.Scene)];
+        foreach (IFlightLaws air in steady)
+        {
+            Assert.False(air.HasField || air.HasSide);
+            Assert.Equal(Vector3d.Zero, air.WindAt(1, 2, 3, 4));
+            Assert.Equal(Vector3d.Zero, air.Side(new Vector3d(20, 1, 0), new Vector3d(0, 30, 0), 5));
+        }
+    }
+
     private static void PerSpin(IFlightAir air, bool withinTables = false)
     {
         foreach (double speed in new[] { 0.2, 3.0, 13, 25, 60 })

@@ -1,5 +1,7 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
 using FootballPhysics.Scenes;
+using FootballPhysics.Simulation;
 using FootballPhysics.State;
 using FootballPhysics.Tests.Support;
 
@@ -17,6 +19,23 @@ public sealed class AirForcesTests
         var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = branch };
         flight.Rates(0, new FootballPhysics.Motion(Vector3d.Zero, in v, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
+    }
+
+    /// <summary>If a fast spin turns the velocity within a step, the step uses RK4, regardless of the method of the scene.</summary>
+    [Fact]
+    public void A_classical_flight_is_a_step_of_RK4()
+    {
+        var around = new Surroundings(s_scene, SceneAir.Of(s_scene));
+        var flight = new ClassicalFlight(around);
+        BallState start = new Simulator(s_scene).Launch(new Vector3d(0, 3, 0), new Vector3d(20, 4, 1), new Vector3d(0, 30, -10));
+        FlightMotion expected = start.Flight;
+        FlightMotion motion = start.Flight;
+        default(ClassicalRungeKutta).Fly(ref around.Air, in start, ref expected, Vector3d.Zero, DragBranch.Spinning, around.Upward, 0.01, out FlightStep wanted);
+        flight.Fly(in start, ref motion, Vector3d.Zero, DragBranch.Spinning, around.Upward, 0.01, out FlightStep step);
+        Assert.NotEqual(start.Flight.Velocity, motion.Velocity);
+        Assert.Equal(expected, motion);
+        Assert.Equal(wanted, step);
+        Assert.Equal((4, 4), (flight.Order, flight.Stages));
     }
 
     [Fact]

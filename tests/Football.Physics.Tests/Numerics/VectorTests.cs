@@ -128,4 +128,23 @@ public sealed class VectorTests
 
         return q;
     });
+
+    [Fact]
+    public void Equal_values_have_equal_hash_codes_and_others_differ()
+    {
+        Assert.Equal(new Vector3d(1, -2, 3).GetHashCode(), s_a.GetHashCode());
+        Assert.NotEqual(s_a.GetHashCode(), s_b.GetHashCode());
+        var turn = new Quaterniond(0.1, 0.2, 0.3, 0.4);
+        Assert.Equal(new Quaterniond(0.1, 0.2, 0.3, 0.4).GetHashCode(), turn.GetHashCode());
+        Assert.NotEqual(Quaterniond.Identity.GetHashCode(), turn.GetHashCode());
+    }
+
+    [Fact]
+    public void Outer_products_are_scaled_subtracted_and_multiplied()
+    {
+        SymmetricMatrix3d ofA = SymmetricMatrix3d.OuterProduct(in s_a);
+        SymmetricMatrix3d ofB = SymmetricMatrix3d.OuterProduct(in s_b);
+        Assert.Equal(Vector3d.Dot(s_a, s_b) * s_a, ofA * s_b);
+        Assert.Equal((3 * Vector3d.Dot(s_a, s_b) * s_a) - (s_b.LengthSquared * s_b), ((3 * ofA) - ofB) * s_b);
+    }
 }

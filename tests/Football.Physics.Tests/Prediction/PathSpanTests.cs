@@ -33,6 +33,19 @@ public sealed class PathSpanTests
         }
     }
 
+    /// <summary>Between and after the segments of a path, the ball moves straight, or rests.</summary>
+    [Fact]
+    public void A_straight_span_goes_from_one_point_to_the_other_at_a_constant_speed()
+    {
+        var span = PathSpan.Straight(2, 4, new Vector3d(1, 3, -2), new Vector3d(7, 1, 6));
+        Assert.Equal((2, 4), (span.Start, span.End));
+        Assert.Equal(new Vector3d(2.5, 2.5, 0), span.PositionAt(2.5));
+        Assert.Equal(new Vector3d(3, -1, 4), span.VelocityAt(3));
+        Assert.Equal(5, span.Speed, 1e-12);
+        Assert.Equal((1, 3), (span.Lowest, span.Highest));
+        Assert.Equal(0, span.Acceleration);
+    }
+
     /// <summary>The curve stays within the control points of its Bézier form, which follow from the values at both ends.</summary>
     [Theory]
     [InlineData(2)]

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Bodies, obstacles and an engine's colliders that weigh something.</summary>
@@ -103,9 +105,40 @@ public sealed class MassTests
             StringComparison.Ordinal);
     }
 
+    /// <summary>MoveBodies puts colliders where the game has them, so the pushes of earlier ticks are undone. Without it, a push lasts until the engine's time advances.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_push_ends_when_the_game_moves_its_colliders(bool moves)
+    {
+        var engine = new OneSphere(2);
+        var runner = new FixedStepRunner(new Simulator(Scene.Default with { EngineColliders = engine }), 0.01) { MoveBodies = moves ? _ => { } : null };
+        runner.Restore(0, runner.Simulator.Launch(new Vector3d(0, 1.5, -0.5), new Vector3d(0, 0, 15), Vector3d.Zero));
+        runner.Step();
+        Vector3d pushed = engine.Sphere.PushSoFar.Motion.Velocity;
+        Assert.True(pushed.Z > 1);
+        runner.Step();
+        Assert.Equal(moves ? Vector3d.Zero : pushed, engine.Sphere.PushSoFar.Motion.Velocity);
+    }
+
+    /// <summary>If all balls share all objects, each ball does; after that, no ball does.</summary>
+    [Fact]
+    public void Shares_are_filled_and_cleared()
+    {
+        var simulator = new Simulator(new Scene());
+        var shares = new PushShares(new PushedMotions(simulator.World), [simulator, simulator], new BallState[2]);
+        Assert.False(shares[0] || shares[1]);
+        shares.Fill();
+        Assert.True(shares[0] && shares[1]);
+        shares.Clear();
+        Assert.False(shares[0] || shares[1]);
+    }
+
     private sealed class OneSphere(double mass) : IEngineColliders
     {
         private readonly EngineCollider _sphere = new("bin", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.GoalFrame) { Mass = mass };
+
+        public EngineCollider Sphere => _sphere;
 
         public double Time => 0;
 

@@ -121,6 +121,21 @@ public sealed class BodyTests
         Assert.Equal(Flight.Radius, state.Position.Y, 1e-9);
     }
 
+    [Fact]
+    public void Bodies_are_listed_in_the_order_of_their_addition()
+    {
+        var bodies = new KinematicBodies();
+        KinematicBody[] added = [bodies.Add("right foot", new SphereShape(Vector3d.Zero, 0.1)), bodies.Add("left foot", new SphereShape(Vector3d.Zero, 0.1))];
+        var listed = new List<object>();
+        foreach (object body in (System.Collections.IEnumerable)bodies)
+        {
+            listed.Add(body);
+        }
+
+        Assert.Equal(added, listed);
+        Assert.Equal(added, bodies);
+    }
+
     [Theory]
     [ProfileData]
     public void Whatever_the_game_does_with_bodies_the_ball_is_in_none_of_them_and_its_energy_is_theirs(Profile profile)

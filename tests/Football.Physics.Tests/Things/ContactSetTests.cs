@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Things;
@@ -181,6 +182,21 @@ public sealed class ContactSetTests
             Assert.Equal(MotionState.Rest, state.Motion);
             Assert.True(log.Events.Count < 100, $"{log.Events.Count} events");
         }
+    }
+
+    [Fact]
+    public void A_ball_that_touches_more_than_its_carrier_is_found()
+    {
+        var simulator = new Simulator(Vacuum() with { Obstacles = [new Obstacle { Shape = new PlaneShape(Vector3d.Zero, new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board }] });
+        World world = simulator.World;
+        int ground = Array.IndexOf(world.Colliders, world.Ground);
+        BallState beside = simulator.Launch(new Vector3d(Radius, Radius, 0), Vector3d.Zero, Vector3d.Zero);
+        BallState alone = simulator.Launch(new Vector3d(3, Radius, 0), Vector3d.Zero, Vector3d.Zero);
+        BallState flying = simulator.Launch(new Vector3d(3, 2, 0), Vector3d.Zero, Vector3d.Zero);
+        Assert.True(ContactSet.TouchesMore(world, in beside, ground));
+        Assert.False(ContactSet.TouchesMore(world, in alone, ground));
+        Assert.True(ContactSet.TouchesMore(world, in alone, -1));
+        Assert.False(ContactSet.TouchesMore(world, in flying, -1));
     }
 
     private static Scene Vacuum() => Scene.Default with

@@ -10,6 +10,39 @@ public sealed class ContactSolverTests
 {
     private const double Radius = 0.11;
 
+    /// <summary>Eight planes around the lowest point of a ball are too many for the forces, so the impulses decide if the ball stays. The search starts without the impulses of an earlier one.</summary>
+    [Fact]
+    public void A_ball_in_a_funnel_of_many_planes_stays_until_it_is_pulled_out()
+    {
+        var place = new Vector3d(0, 5, 0);
+        Obstacle[] planes = [.. Enumerable.Range(0, 8).Select(i =>
+        {
+            Vector3d normal = new Vector3d(0.7 * Math.Cos(i * Math.PI / 4), 1, 0.7 * Math.Sin(i * Math.PI / 4)).Normalized();
+            return new Obstacle { Name = $"plane {i}", Shape = new PlaneShape(place - (Radius * normal), normal), Surface = SurfaceMaterial.Board };
+        })];
+        var simulator = new Simulator(new Scene { Ball = new BallProperties { Radius = Radius }, Ground = Ground.None, Obstacles = planes });
+        World world = simulator.World;
+        BallState state = simulator.Launch(place, Vector3d.Zero, Vector3d.Zero);
+        Span<Contact> set = ContactSet.Near(world, in state, 0.01, new Contact[ContactSet.Room], world.Room);
+        Assert.Equal(8, set.Length);
+        foreach (ref Contact contact in set)
+        {
+            contact.Load = 1;
+            contact.Friction = new Vector3d(1, 0, 0);
+        }
+
+        const double Duration = 5e-4;
+        Assert.True(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(0, -9.81, 0), Vector3d.Zero), Duration, 1e-9));
+        Assert.True(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(1, -9.81, -1), Vector3d.Zero), Duration, 1e-9));
+        Assert.False(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(0, 9.81, 0), Vector3d.Zero), Duration, 1e-9));
+        Assert.Equal(1, set[0].Load);
+        ContactSet.Forget(set);
+        foreach (ref readonly Contact contact in set)
+        {
+            Assert.Equal((0, Vector3d.Zero), (contact.Load, contact.Friction));
+        }
+    }
+
     [Theory]
     [InlineData(1, 0, true)]
     [InlineData(2, 0.01, true)]

@@ -106,6 +106,22 @@ public sealed class EngineThingsTests
         }
     }
 
+    /// <summary>A state stores the number of a collider; the colliders of the last step have indices.</summary>
+    [Fact]
+    public void The_number_of_a_carrier_finds_its_collider_in_the_last_step()
+    {
+        var engine = new ShapesAsEngine();
+        engine.Add("wall", new PlaneShape(new Vector3d(-0.3, 0, 0), new Vector3d(1, 0, 0)));
+        engine.Add("floor", new PlaneShape(Vector3d.Zero, Vector3d.Up));
+        var simulator = new Simulator(new Scene { Ground = Ground.None, EngineColliders = engine });
+        BallState state = simulator.Launch(new Vector3d(-0.15, 0.3, 0), Vector3d.Zero, Vector3d.Zero);
+        simulator.Run(ref state, 0.01, 20, StopAt.Rest, new StepLog());
+        Assert.Equal(MotionState.Rest, state.Motion);
+        Assert.InRange(state.Carrier, EngineCollider.FirstNumber, long.MaxValue);
+        simulator.Step(ref state, 0.01, new StepLog());
+        Assert.Equal("floor", simulator.World.Colliders[simulator.World.ColliderOf(state.Carrier, state.Position, state.Time)].Name);
+    }
+
     /// <summary>Pushes hold until the engine's time advances. A look-ahead keeps those of the step that goes on after it.</summary>
     [Theory]
     [InlineData(false)]

@@ -34,6 +34,20 @@ public sealed class RaisedTests
     }
 
     [Fact]
+    public void The_height_of_the_ground_raises_its_hills()
+    {
+        var low = new Simulator(s_hill);
+        var high = new Simulator(s_hill with { Ground = s_hill.Ground with { Height = 2.5 } });
+        foreach (double x in new[] { 0, 1.3, -6, 19 })
+        {
+            double lifted = high.Launch(new Vector3d(x, -9, 2), Vector3d.Zero, Vector3d.Zero).Position.Y;
+            Assert.Equal(low.Launch(new Vector3d(x, -9, 2), Vector3d.Zero, Vector3d.Zero).Position.Y + 2.5, lifted, 1e-9);
+        }
+
+        Assert.Equal(Hill().Bounds.Max.Y + 2.5, Hill().Raised(2.5).Bounds.Max.Y, 1e-12);
+    }
+
+    [Fact]
     public void Wherever_it_is_put_the_height_is_the_least_one()
     {
         var simulator = new Simulator(s_hill);
