@@ -119,18 +119,16 @@ internal static unsafe class ContactForces
     private static bool SolvePair(double* g, double* b, int size, in SetContact first, int firstRow, in SetContact second, int secondRow)
     {
         double* z = stackalloc double[ContactRows.Most];
-        double* copy = stackalloc double[ContactRows.Most * ContactRows.Most];
         new Span<double>(z, size).Clear();
-        new Span<double>(g, size * size).CopyTo(new Span<double>(copy, size * size));
         SetLine(in first, in second, z + firstRow);
         SetLine(in second, in first, z + secondRow);
-        if (!ContactRows.SolveBraced(copy, b, z, size))
+        if (!ContactRows.SolveBraced(g, b, z, size))
         {
             return false;
         }
 
         double share = FrictionBrace.Share(b + firstRow, z + firstRow, first.Sliding, b + secondRow, z + secondRow, second.Sliding);
-        for (int k = 0; k < size; k++)
+        for (int k = 0; k < size && share != 0; k++)
         {
             b[k] += share * z[k];
         }
@@ -171,41 +169,62 @@ internal static unsafe class ContactForces
     }
 
     /// <summary>Sets the unknowns of an active contact: its load, and its friction if it sticks.</summary>
+    /// <remarks>
+    /// A sticking contact has t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω) for its two directions t, and a force t changes the spin by −n × t/(α r). The first
+    /// direction, the second and n are at right angles, so n × t is ± the other direction.
+    /// </remarks>
     /// <returns>The number of unknowns.</returns>
     private static int SetRows(in ContactSystem system, int index, in Vector3d spin, ForceRow* rows)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
-        SetLoad(in system, index, out rows[0]);
+        double r = system.World.Ball.Radius;
+        double perTurn = 1.0 / (system.World.Ball.InertiaFactor * r);
+        SetLoad(in system, index, perTurn, ref rows[0]);
         if (!contact.Sticks)
         {
             return 1;
         }
 
-        double r = system.World.Ball.Radius;
-        double perTurn = 1.0 / (system.World.Ball.InertiaFactor * r);
-        Vector3d target = Target(in contact, r, in spin);
-        rows[1] = Stick(in contact.Normal, in contact.First, r, perTurn, in target);
-        rows[2] = Stick(in contact.Normal, in contact.Second, r, perTurn, in target);
+        Vector3d target = contact.IsFixed ? Vector3d.Zero : contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
+        SetStick(in contact.First, in target, -r * contact.Second, -perTurn * contact.Second, ref rows[1]);
+        SetStick(in contact.Second, in target, r * contact.First, perTurn * contact.First, ref rows[2]);
         return 3;
     }
 
     /// <summary>Sets the row of a load: n·v̇ = −(qᵀHq − A_s·n). If the contact slips, its friction is included.</summary>
-    private static void SetLoad(in ContactSystem system, int index, out ForceRow row)
+    private static void SetLoad(in ContactSystem system, int index, double perTurn, ref ForceRow row)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
-        row = new ForceRow { AlongV = contact.Normal, Target = -contact.Centripetal, PushV = contact.Normal };
+        row.AlongV = contact.Normal;
+        row.AlongW = default;
+        row.Target = -contact.Centripetal;
+        row.PushV = contact.Normal;
+        row.PushW = default;
+        row.Held = 0;
+        row.HeldSpin = 0;
         if (!contact.Sticks)
         {
             Vector3d direction = contact.SlipDirection;
-            double perTurn = 1.0 / (system.World.Ball.InertiaFactor * system.World.Ball.Radius);
             row.PushV -= contact.Sliding * direction;
-            row.PushW += contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
+            row.PushW = contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
         }
 
         if (index == system.Bearer)
         {
             AddResistance(in system, in contact, ref row);
         }
+    }
+
+    /// <summary>Sets the row of a friction component along a direction.</summary>
+    private static void SetStick(in Vector3d along, in Vector3d target, in Vector3d alongSpin, in Vector3d pushSpin, ref ForceRow row)
+    {
+        row.AlongV = along;
+        row.AlongW = alongSpin;
+        row.Target = Vector3d.Dot(in target, in along);
+        row.PushV = along;
+        row.PushW = pushSpin;
+        row.Held = 0;
+        row.HeldSpin = 0;
     }
 
     /// <summary>Adds rolling resistance (c₀ + c₁|v|) N/m against the motion, and drilling friction b μ_s N/I against the spin about the
@@ -224,20 +243,6 @@ internal static unsafe class ContactForces
         load.PushV -= share * direction;
         load.PushW -= share / system.World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
     }
-
-    /// <summary>Returns the row of a friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω).</summary>
-    /// <remarks>A force t changes the spin by −n × t/(α r).</remarks>
-    private static ForceRow Stick(in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d target) => new()
-    {
-        AlongV = along,
-        AlongW = r * Vector3d.Cross(in along, in normal),
-        Target = Vector3d.Dot(in target, in along),
-        PushV = along,
-        PushW = -perTurn * Vector3d.Cross(in normal, in along),
-    };
-
-    /// <summary>Returns the slip rate that keeps a contact without slip, A − r ṅ × ω.</summary>
-    private static Vector3d Target(in SetContact contact, double r, in Vector3d spin) => contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
 
     /// <summary>The unit force that two sticking contacts exert against each other along the line between the contact points: n₁ − n₂, at the first contact.</summary>
     private static void SetLine(in SetContact contact, in SetContact other, double* into)

@@ -29,7 +29,6 @@ internal static unsafe class ContactModes
     /// <returns>False if no consistent modes were found.</returns>
     public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, int carrier, ref int evaluations)
     {
-        int likely = -1;
         for (int i = 0; i < system.Count; i++)
         {
             ref SetContact contact = ref system.Contacts[i];
@@ -37,28 +36,13 @@ internal static unsafe class ContactModes
             double slip = contact.Slip.Length;
             contact.Press(sticking);
             contact.Direction = slip > 0 ? contact.Slip / slip : Vector3d.Zero;
-            likely = contact.Collider == carrier ? i : likely;
         }
 
-        LetIdle(ref system, time, in at, ref evaluations);
-        likely = likely >= 0 && system.Contacts[likely].Bears ? likely : -1;
-        Forget(ref system);
-        if (likely >= 0)
-        {
-            // Start with the carrier as the bearer (the contact that resists rolling). At a standstill, search for the bearer.
-            system.Bearer = likely;
-            Roll(ref system, in at, default);
-            system.Pinned = false;
-            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < ContactTolerances.Rolling)
-            {
-                Forget(ref system);
-            }
-        }
-
+        Guess(ref system, time, in at, carrier, ref evaluations);
         for (int change = 0; change < MostChanges; change++)
         {
-            Force(ref system, time, in at, ref evaluations);
-            if (!Change(ref system, sticking) && !Start(ref system, time, in at, ref evaluations))
+            Force(ref system, time, in at, ref evaluations, out Vector3d push);
+            if (!Change(ref system, sticking, in at, in push) && !Start(ref system, time, in at, ref evaluations))
             {
                 return true;
             }
@@ -67,31 +51,49 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>Opens contacts that the push does not press against, if two contacts clamp the ball, or three surround it in one plane.</summary>
-    /// <remarks>Examples are a ball between two spheres, and one between a player and a board on the ground. With all of them active, the
-    /// loads would not be determined, however large.</remarks>
+    /// <summary>Guesses the bearer from the loads that frictionless contacts would have.</summary>
+    /// <remarks>
+    /// If two contacts clamp the ball, or three surround it in one plane, it also opens the contacts that the push does not press against. Examples are
+    /// a ball between two spheres, and one between a player and a board on the ground. With all of them active, the loads would not be determined,
+    /// however large.
+    /// </remarks>
     [SkipLocalsInit]
-    private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    private static void Guess(ref ContactSystem system, double time, in Motion at, int carrier, ref int evaluations)
     {
+        Forget(ref system);
         Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
+        int sticking = 0;
+        int likely = -1;
         for (int i = 0; i < system.Count; i++)
         {
-            normals[i] = system.Contacts[i].Normal;
+            ref readonly SetContact contact = ref system.Contacts[i];
+            normals[i] = contact.Normal;
+            sticking += contact.Sticks ? 1 : 0;
+            likely = contact.Sticks || (likely < 0 && contact.Collider == carrier) ? i : likely;
         }
 
-        if (!PushProjection.Clamp(normals, system.Count) && !(system.Count == 3 && PushProjection.Surround(normals)))
+        bool idles = PushProjection.Clamp(normals, system.Count) || (system.Count == 3 && PushProjection.Surround(normals));
+        if (!idles && sticking == 1 && system.Contacts[likely].RollingVelocity.Length >= ContactTolerances.Rolling)
         {
+            // A single sticking contact is the bearer, and the ball rolls: no need to estimate the loads.
+            system.Bearer = likely;
+            Roll(ref system, in at, default);
             return;
         }
 
-        system.Bearer = -1;
         system.Free(time, in at, out Vector3d push, out _, out _);
         evaluations++;
         PushProjection free = PushProjection.Of(normals, system.Count, in push);
         for (int i = 0; i < system.Count; i++)
         {
-            system.Contacts[i].Bears = free.Bears(i);
+            ref SetContact contact = ref system.Contacts[i];
+            contact.Bears = !idles || free.Bears(i);
+            contact.Load = free.LoadOf(i);
         }
+
+        // Three or more loads that take up the entire push are not known yet.
+        likely = likely >= 0 && free.TakesAll ? likely : BearerOf(in system);
+        Choose(ref system, likely, in at, in push);
     }
 
     /// <summary>Iterates the direction of a starting slip until friction and the rate of the slip agree.</summary>
@@ -142,15 +144,16 @@ internal static unsafe class ContactModes
     /// Rolling resistance may reduce the bearer's load so much that the other contact has the greater load, whichever is the bearer.
     /// The two loads are then treated as equal, and the first contact is the bearer.
     /// </remarks>
-    private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations, out Vector3d push)
     {
         int before = -1;
+        push = default;
         system.IsTied = false;
         for (int round = 0; round < MostBearers; round++)
         {
             system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out system.AirSpeed);
             evaluations++;
-            Vector3d free = acceleration;
+            push = acceleration;
             ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
             system.Acceleration = acceleration;
             system.SpinAcceleration = spinAcceleration;
@@ -174,7 +177,7 @@ internal static unsafe class ContactModes
             }
 
             system.Bearer = bearer;
-            Roll(ref system, in at, in free);
+            Roll(ref system, in at, in push);
         }
     }
 
@@ -272,9 +275,20 @@ internal static unsafe class ContactModes
         system.Along = default;
     }
 
+    /// <summary>Makes a contact the bearer; −1 for none.</summary>
+    private static void Choose(ref ContactSystem system, int bearer, in Motion at, in Vector3d push)
+    {
+        Forget(ref system);
+        if (bearer >= 0)
+        {
+            system.Bearer = bearer;
+            Roll(ref system, in at, in push);
+        }
+    }
+
     /// <summary>Changes one inconsistent mode.</summary>
     /// <returns>False if all modes are consistent.</returns>
-    private static bool Change(ref ContactSystem system, double sticking)
+    private static bool Change(ref ContactSystem system, double sticking, in Motion at, in Vector3d push)
     {
         // Open the contact with the most negative load.
         int worst = -1;
@@ -292,7 +306,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Bears = false;
-            Forget(ref system);
+            Choose(ref system, BearerOf(in system), in at, in push);
             return true;
         }
 
@@ -311,7 +325,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Press(sticking);
-            Forget(ref system);
+            Choose(ref system, BearerOf(in system), in at, in push);
             return true;
         }
 
@@ -346,100 +360,10 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].StartSlip();
-            Forget(ref system);
+            Choose(ref system, BearerOf(in system), in at, in push);
             return true;
         }
 
         return false;
     }
-
-    /// <summary>True if contacts hold a ball at rest (several.md, Rest).</summary>
-    /// <remarks>The part of the push that no load can take must be at most (1 + α) c₀ N, with N the greatest load.</remarks>
-    /// <param name="system">The contacts, already updated.</param>
-    /// <param name="push">The acceleration of the ball at rest, relative to its carrier, m/s².</param>
-    public static bool Hold(in ContactSystem system, in Vector3d push)
-    {
-        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three leave no free direction.
-        PushProjection free = Project(in system, in push);
-        return free.TakesAll || (free.First < 0 ? push.Length <= ContactTolerances.LeastLoad
-            : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
-    }
-
-    /// <summary>Returns the part of a push that frictionless contacts do not take up.</summary>
-    private static PushProjection Project(in ContactSystem system, in Vector3d push)
-    {
-        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
-        for (int i = 0; i < system.Count; i++)
-        {
-            normals[i] = system.Contacts[i].Normal;
-        }
-
-        return PushProjection.Of(normals, system.Count, in push);
-    }
-
-    /// <summary>True if friction holds a ball at rest that rolling resistance alone cannot hold (contacts.md, Rest).</summary>
-    /// <remarks>With equal velocities of ball and surfaces, the modes at that instant leave the ball at its position.</remarks>
-    /// <param name="system">The contacts; their modes do not change.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="still">The ball at the velocity of its carrier, without spin.</param>
-    /// <param name="carrier">The carrier.</param>
-    /// <param name="evaluations">Counts the evaluations.</param>
-    public static bool Grip(in ContactSystem system, double time, in Motion still, int carrier, ref int evaluations)
-    {
-        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
-        for (int i = 0; i < system.Count; i++)
-        {
-            contacts[i] = system.Contacts[i];
-        }
-
-        ContactSystem at = system;
-        at.Contacts = contacts;
-        return Find(ref at, time, in still, ContactTolerances.LeastLoad, carrier, ref evaluations)
-            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= ContactTolerances.LeastLoad;
-    }
-
-    /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>
-    /// <remarks>No contact may move relative to the carrier (contacts.md, Rest).</remarks>
-    /// <param name="around">The scene.</param>
-    /// <param name="set">The contacts.</param>
-    /// <param name="s">The ball.</param>
-    /// <param name="still">The ball at that velocity.</param>
-    /// <param name="branch">The branch of the drag law there.</param>
-    /// <param name="gained">The carrier's velocity jump divided by the step, m/s².</param>
-    /// <param name="evaluations">Counts the evaluations.</param>
-    public static bool HoldAtRest(
-        Surroundings around, scoped Span<Contact> set, in BallState s, in Motion still, DragBranch branch, in Vector3d gained, ref int evaluations)
-    {
-        World world = around.World;
-        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
-        for (int i = 0; i < set.Length; i++)
-        {
-            Collider collider = world.Colliders[set[i].Collider];
-            if (collider.Velocity != still.Velocity || collider.Spin != Vector3d.Zero)
-            {
-                return false;
-            }
-
-            contacts[i].Prepare(in set[i], collider, world.Ball);
-            contacts[i].Look(world, s.Time, in still);
-        }
-
-        var system = new ContactSystem
-        {
-            Around = around,
-            World = world,
-            Contacts = contacts,
-            Count = set.Length,
-            Bearer = -1,
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-            Branch = branch,
-        };
-        evaluations++;
-        return Hold(in system, system.PushAtRest(s.Time, in still) - gained)
-            || (gained == Vector3d.Zero && Grip(in system, s.Time, in still, (int)s.Carrier - world.FirstCollider, ref evaluations));
-    }
-
-    private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
-        left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + ContactTolerances.LeastLoad;
 }

@@ -22,32 +22,35 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     public static bool Solve(double* g, double* b, int size)
     {
-        double* work = stackalloc double[size * size];
-        double* x = stackalloc double[size];
+        // Eliminate G with b as another column.
+        int width = size + 1;
+        double* work = stackalloc double[size * width];
         double largest = 0;
-        for (int i = 0; i < size * size; i++)
+        for (int i = 0; i < size; i++)
         {
-            work[i] = g[i];
-            largest = Math.Max(largest, Math.Abs(g[i]));
+            double* row = work + (i * width);
+            for (int j = 0; j < size; j++)
+            {
+                row[j] = g[(i * size) + j];
+                double entry = Math.Abs(row[j]);
+                largest = entry > largest ? entry : largest;
+            }
+
+            row[size] = b[i];
+        }
+
+        if (!Eliminate(work, size, width, ContactTolerances.Singular * largest))
+        {
+            LeastSquares(g, b, size);
+            return false;
         }
 
         for (int i = 0; i < size; i++)
         {
-            x[i] = b[i];
+            b[i] = work[(i * width) + size];
         }
 
-        bool isUnique = Eliminate(work, x, size, ContactTolerances.Singular * largest);
-        if (!isUnique)
-        {
-            LeastSquares(g, b, x, size);
-        }
-
-        for (int i = 0; i < size; i++)
-        {
-            b[i] = x[i];
-        }
-
-        return isUnique;
+        return true;
     }
 
     /// <summary>Solves G x = b if the conditions of two sticking contacts are dependent: yᵀ G = 0 and yᵀ b = 0 for a known vector
@@ -55,28 +58,32 @@ internal static unsafe class ContactRows
     /// <remarks>
     /// G + y yᵀ is invertible. Its inverse also maps y to z, the forces without effect (G z = 0). The least x has no component along z.
     /// </remarks>
-    /// <param name="g">G, row by row; overwritten.</param>
+    /// <param name="g">G, row by row. G is unchanged.</param>
     /// <param name="b">b; replaced by x.</param>
     /// <param name="y">y; replaced by z.</param>
     /// <param name="size">Number of unknowns.</param>
-    /// <returns>False if more than this one force is undetermined: b and y are then unchanged, and G is overwritten.</returns>
+    /// <returns>False if more than this one force is undetermined: b and y are then unchanged.</returns>
     [SkipLocalsInit]
     public static bool SolveBraced(double* g, double* b, double* y, int size)
     {
-        double* x = stackalloc double[2 * size];
+        int width = size + 2;
+        double* work = stackalloc double[size * width];
         double largest = 0;
         for (int i = 0; i < size; i++)
         {
-            x[i] = b[i];
-            x[size + i] = y[i];
+            double* row = work + (i * width);
             for (int j = 0; j < size; j++)
             {
-                g[(i * size) + j] += y[i] * y[j];
-                largest = Math.Max(largest, Math.Abs(g[(i * size) + j]));
+                row[j] = g[(i * size) + j] + (y[i] * y[j]);
+                double entry = Math.Abs(row[j]);
+                largest = entry > largest ? entry : largest;
             }
+
+            row[size] = b[i];
+            row[size + 1] = y[i];
         }
 
-        if (!Eliminate(g, x, size, ContactTolerances.Singular * largest, 2))
+        if (!Eliminate(work, size, width, ContactTolerances.Singular * largest))
         {
             return false;
         }
@@ -85,100 +92,92 @@ internal static unsafe class ContactRows
         double square = 0;
         for (int i = 0; i < size; i++)
         {
-            along += x[i] * x[size + i];
-            square += x[size + i] * x[size + i];
+            double* solved = work + (i * width) + size;
+            along += solved[0] * solved[1];
+            square += solved[1] * solved[1];
         }
 
+        double share = along / square;
         for (int i = 0; i < size; i++)
         {
-            b[i] = x[i] - (along / square * x[size + i]);
-            y[i] = x[size + i];
+            double* solved = work + (i * width) + size;
+            b[i] = solved[0] - (share * solved[1]);
+            y[i] = solved[1];
         }
 
         return true;
     }
 
     /// <summary>Gaussian elimination with partial pivoting.</summary>
-    /// <param name="a">The matrix; overwritten.</param>
-    /// <param name="x">The right-hand sides, one after the other; replaced by the solutions.</param>
+    /// <param name="a">The matrix, row by row, with the right-hand sides as further columns; these are replaced by the solutions.</param>
     /// <param name="size">Number of unknowns.</param>
+    /// <param name="width">Number of columns.</param>
     /// <param name="least">Minimum pivot.</param>
-    /// <param name="sides">Number of right-hand sides.</param>
     /// <returns>False if a pivot is too small.</returns>
-    private static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
+    private static bool Eliminate(double* a, int size, int width, double least)
     {
         for (int column = 0; column < size; column++)
         {
-            int pivot = column;
-            for (int i = column + 1; i < size; i++)
+            double* own = a + (column * width);
+            double* best = own;
+            double most = Math.Abs(own[column]);
+            for (double* row = own + width; row < a + (size * width); row += width)
             {
-                pivot = Math.Abs(a[(i * size) + column]) > Math.Abs(a[(pivot * size) + column]) ? i : pivot;
+                double entry = Math.Abs(row[column]);
+                best = entry > most ? row : best;
+                most = entry > most ? entry : most;
             }
 
-            double* own = a + (column * size);
-            double* best = a + (pivot * size);
-            if (!(Math.Abs(best[column]) > least))
+            if (!(most > least))
             {
                 return false;
             }
 
-            if (pivot != column)
+            for (int j = column; j < width && best != own; j++)
             {
-                for (int j = column; j < size; j++)
-                {
-                    (own[j], best[j]) = (best[j], own[j]);
-                }
-
-                for (int side = 0; side < sides * size; side += size)
-                {
-                    (x[side + column], x[side + pivot]) = (x[side + pivot], x[side + column]);
-                }
+                (own[j], best[j]) = (best[j], own[j]);
             }
 
+            // Divide the pivot's row once, so that the substitution below needs no division.
             double inverse = 1.0 / own[column];
-            for (int i = column + 1; i < size; i++)
+            for (int j = column + 1; j < width; j++)
             {
-                double* row = a + (i * size);
-                double factor = row[column] * inverse;
-                if (factor != 0)
-                {
-                    for (int j = column + 1; j < size; j++)
-                    {
-                        row[j] -= factor * own[j];
-                    }
+                own[j] *= inverse;
+            }
 
-                    for (int side = 0; side < sides * size; side += size)
-                    {
-                        x[side + i] -= factor * x[side + column];
-                    }
+            for (double* row = own + width; row < a + (size * width); row += width)
+            {
+                double factor = row[column];
+                for (int j = column + 1; j < width && factor != 0; j++)
+                {
+                    row[j] -= factor * own[j];
                 }
             }
         }
 
-        for (int side = 0; side < sides * size; side += size)
+        for (int i = size - 2; i >= 0; i--)
         {
-            for (int i = size - 1; i >= 0; i--)
+            double* row = a + (i * width);
+            for (int j = i + 1; j < size; j++)
             {
-                double* row = a + (i * size);
-                for (int j = i + 1; j < size; j++)
+                for (int side = size; side < width; side++)
                 {
-                    x[side + i] -= row[j] * x[side + j];
+                    row[side] -= row[j] * a[(j * width) + side];
                 }
-
-                x[side + i] /= row[i];
             }
         }
 
         return true;
     }
 
-    /// <summary>Computes x = Gᵀ (G Gᵀ + ε)⁻¹ b with one refinement. The null space of G is unaffected.</summary>
+    /// <summary>Computes x = Gᵀ (G Gᵀ + ε)⁻¹ b with refinements, and replaces b by x. The null space of G is unaffected.</summary>
     [SkipLocalsInit]
-    private static void LeastSquares(double* g, double* b, double* x, int size)
+    private static void LeastSquares(double* g, double* b, int size)
     {
-        double* square = stackalloc double[size * size];
-        double* factor = stackalloc double[size * size];
-        double* left = stackalloc double[size];
+        int width = size + 1;
+        double* square = stackalloc double[size * width];
+        double* factor = stackalloc double[size * width];
+        double* x = stackalloc double[size];
         double trace = 0;
         for (int i = 0; i < size; i++)
         {
@@ -190,21 +189,23 @@ internal static unsafe class ContactRows
                     sum += g[(i * size) + k] * g[(j * size) + k];
                 }
 
-                square[(i * size) + j] = sum;
-                square[(j * size) + i] = sum;
+                square[(i * width) + j] = sum;
+                square[(j * width) + i] = sum;
             }
 
-            trace = Math.Max(trace, square[(i * size) + i]);
+            trace = Math.Max(trace, square[(i * width) + i]);
             x[i] = 0;
         }
 
         for (int i = 0; i < size; i++)
         {
-            square[(i * size) + i] += ContactTolerances.Ridge * trace;
+            square[(i * width) + i] += ContactTolerances.Ridge * trace;
         }
 
         for (int round = 0; round < Refinements; round++)
         {
+            // The residual b − G x is the right-hand side.
+            new Span<double>(square, size * width).CopyTo(new Span<double>(factor, size * width));
             for (int i = 0; i < size; i++)
             {
                 double sum = b[i];
@@ -213,22 +214,22 @@ internal static unsafe class ContactRows
                     sum -= g[(i * size) + k] * x[k];
                 }
 
-                left[i] = sum;
+                factor[(i * width) + size] = sum;
             }
 
-            for (int i = 0; i < size * size; i++)
-            {
-                factor[i] = square[i];
-            }
-
-            Eliminate(factor, left, size, 0);
+            Eliminate(factor, size, width, 0);
             for (int i = 0; i < size; i++)
             {
                 for (int k = 0; k < size; k++)
                 {
-                    x[k] += g[(i * size) + k] * left[i];
+                    x[k] += g[(i * size) + k] * factor[(i * width) + size];
                 }
             }
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            b[i] = x[i];
         }
     }
 }

@@ -93,6 +93,9 @@ internal unsafe struct PushProjection
     /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
 
+    /// <summary>Returns the load of a contact, m/s²; zero if it has none, or if it is not determined.</summary>
+    public readonly double LoadOf(int index) => index == First ? FirstLoad : index == Second ? SecondLoad : 0;
+
     /// <summary>True if a push does not press the ball against any contact.</summary>
     private static bool IsLeft(Vector3d* normals, int count, in Vector3d push)
     {

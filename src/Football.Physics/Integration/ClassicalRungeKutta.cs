@@ -8,7 +8,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 {
     public int Stages => 4;
 
-    public bool LastStageAtEnd => true;
+    public double LastStage => 1;
 
     public int Order => 4;
 

@@ -34,8 +34,8 @@ internal interface IMotionMethod
     /// <summary>The number of evaluations per step.</summary>
     int Stages { get; }
 
-    /// <summary>True if the last stage is at the end of the step.</summary>
-    bool LastStageAtEnd { get; }
+    /// <summary>Time of the last stage, as a share of the step.</summary>
+    double LastStage { get; }
 
     /// <summary>The order of accuracy.</summary>
     int Order { get; }

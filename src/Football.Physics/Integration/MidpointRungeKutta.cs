@@ -8,7 +8,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 {
     public int Stages => 2;
 
-    public bool LastStageAtEnd => false;
+    public double LastStage => 0.5;
 
     public int Order => 2;
 

@@ -8,7 +8,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
 {
     public int Stages => 1;
 
-    public bool LastStageAtEnd => false;
+    public double LastStage => 0;
 
     public int Order => 1;
 

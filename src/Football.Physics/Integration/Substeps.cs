@@ -28,7 +28,7 @@ internal struct Substeps : IMotionMethod
     /// <summary>The number of evaluations of the last step.</summary>
     public int Stages { get; private set; }
 
-    public readonly bool LastStageAtEnd => true;
+    public readonly double LastStage => 1;
 
     public readonly int Order => default(ClassicalRungeKutta).Order;
 

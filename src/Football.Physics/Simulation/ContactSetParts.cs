@@ -275,7 +275,7 @@ internal sealed partial class ContactSetParts
         int evaluations = 0;
         var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
         bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
-            : ContactModes.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
+            : RestingSet.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
         {
@@ -334,8 +334,9 @@ internal sealed partial class ContactSetParts
     /// <summary>Projects a ball onto its contacts. Moving contacts must not push it into stationary objects.</summary>
     public void Hold(ref BallState s, scoped Span<Contact> set)
     {
+        Vector3d before = s.Position;
         ContactSet.Hold(_world, ref s, set);
-        if (ContactSet.HasMover(set))
+        if (ContactSet.HasMover(set) && (s.Position - before).Length > ContactTolerances.ClosedGap)
         {
             _contact.KeepOut(ref s);
         }

@@ -278,8 +278,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         var still = new Motion(s.Position, carrier.Velocity, Vector3d.Zero);
         int evaluations = 1;
-        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, in still))
-            || (sticks && run.Grips++ < MostGrips && ContactModes.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
+        bool holds = RestingSet.Hold(in system, system.PushAtRest(s.Time, in still))
+            || (sticks && run.Grips++ < MostGrips && RestingSet.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
         run.Log.Evaluations += evaluations;
         s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
         return holds;

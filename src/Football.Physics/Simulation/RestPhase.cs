@@ -196,7 +196,7 @@ internal sealed unsafe class RestPhase
         }
 
         var still = new Motion(s.Position, in velocity, Vector3d.Zero);
-        return ContactModes.HoldAtRest(_around, set, in moved, in still, _jump.OnSurface(DragBranch.Unknown, in still), in gained, ref evaluations);
+        return RestingSet.HoldAtRest(_around, set, in moved, in still, _jump.OnSurface(DragBranch.Unknown, in still), in gained, ref evaluations);
     }
 
     /// <summary>Wakes the ball with its current velocity and spin, which may differ from the carrier's.</summary>

@@ -63,9 +63,14 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
     /// <summary>Computes the margins at the start of a piece from the rates that the modes were determined with.</summary>
     public static void Start(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, in Motion from, double* starts)
     {
-        for (int i = 0; i < Limits * sweep.System.Count; i++)
+        for (int i = 0; i < sweep.System.Count; i++)
         {
-            starts[i] = Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time, in from, 0);
+            // The limits from Rest on belong to the bearer.
+            int limits = i == sweep.System.Bearer ? Limits : (int)Limit.Rest;
+            for (int limit = 0; limit < Limits; limit++)
+            {
+                starts[(i * Limits) + limit] = limit < limits ? Value(ref sweep, (Limit)limit, i, s.Time, in from, 0) : 0;
+            }
         }
     }
 
@@ -79,8 +84,8 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         double length = sweep.Length;
         bool shortened = false;
 
-        // The last stage is near the end: a margin that is far from zero there needs no search.
-        if (default(TIntegrator).LastStageAtEnd && IsClear(ref sweep, in s, starts))
+        // A margin that is far from zero at the last stage, or extrapolated from it to the end, needs no search.
+        if (IsClear(ref sweep, in s, starts))
         {
             return false;
         }
@@ -109,11 +114,17 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
     /// <summary>True if every margin keeps enough of its value at the start.</summary>
     private static bool IsClear(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
     {
-        for (int i = 0; i < Limits * sweep.System.Count; i++)
+        // A margin that falls in a straight line to Clear at the end has this share of its value left at the last stage.
+        double clear = 1.0 - (default(TIntegrator).LastStage * (1.0 - Clear));
+        for (int i = 0; i < sweep.System.Count; i++)
         {
-            if (starts[i] > 0 && !(Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time) > Clear * starts[i]))
+            for (int limit = 0; limit < Limits; limit++)
             {
-                return false;
+                double start = starts[(i * Limits) + limit];
+                if (start > 0 && !(Value(ref sweep, (Limit)limit, i, s.Time) > clear * start))
+                {
+                    return false;
+                }
             }
         }
 
@@ -146,16 +157,16 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
                 return contact.Opening + ContactTolerances.LeastLoad;
             case Limit.Bearer when contact.Bears && system.Bearer >= 0 && !system.IsTied && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
                 return (system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.SameLoad)) - contact.Load;
-            case Limit.Rest when index == system.Bearer:
+            case Limit.Rest:
                 Collider carrier = system.World.Colliders[contact.Collider];
                 return Math.Sqrt(system.World.Energy(in at, carrier, time + after)) - Math.Sqrt(system.World.RestEnergy);
-            case Limit.Spin when index == system.Bearer && contact.Drilling > 0 && system.SpinSign != 0:
+            case Limit.Spin when contact.Drilling > 0 && system.SpinSign != 0:
                 return system.SpinSign * (Vector3d.Dot(in at.Spin, in contact.Normal) - contact.CarrierSpin);
-            case Limit.Roll when index == system.Bearer && contact.Sticks && !system.Pinned:
+            case Limit.Roll when contact.Sticks && !system.Pinned:
                 return Vector3d.Dot(in contact.RollingVelocity, in system.Along);
-            case Limit.Hold when index == system.Bearer && system.Pinned:
+            case Limit.Hold when system.Pinned:
                 return (contact.Rolling * contact.Load) - Math.Abs(system.Held);
-            case Limit.HoldSpin when index == system.Bearer && system.HoldsSpin:
+            case Limit.HoldSpin when system.HoldsSpin:
                 return (contact.Drilling * contact.Load) - Math.Abs(system.HeldSpin);
             default:
                 return 0;

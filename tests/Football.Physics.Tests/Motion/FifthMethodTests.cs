@@ -62,7 +62,7 @@ public sealed class FifthMethodTests
 
         public int Stages => Evaluations;
 
-        public bool LastStageAtEnd => true;
+        public double LastStage => 1;
 
         public int Order => 2;
 

@@ -194,8 +194,9 @@ internal sealed partial class BallPile
             member.W = member.StartW + (h * member.Free.SpinAcceleration);
         }
 
-        bool warm = Continue(_length > 0 ? h / _length : 0);
-        _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull);
+        double share = _length > 0 ? h / _length : 0;
+        bool warm = Continue(share);
+        _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull, share: share);
         _solver.LimitWork(h);
         _solver.SetWays();
         _length = h;

@@ -67,18 +67,22 @@ internal sealed class PileSolver
         return Vector3d.Dot(Members[contact.First].StartV - other, in contact.Normal) < -ContactTolerances.Pressing;
     }
 
-    /// <summary>Solves the impulses, starting from those that the contacts already hold.</summary>
+    /// <summary>Solves the impulses, starting from those that the contacts and the balls already hold.</summary>
     /// <param name="h">The time, s.</param>
     /// <param name="mostRounds">Maximum number of iterations.</param>
     /// <param name="settled">Change of a ball's speed below which the solver has converged, m/s.</param>
     /// <param name="slow">Speed of all balls below which it also stops, m/s; negative to skip this check.</param>
-    public void Solve(double h, int mostRounds, double settled, double slow = -1)
+    /// <param name="share">Share of the resistance of the last part that each ball starts with.</param>
+    public void Solve(double h, int mostRounds, double settled, double slow = -1, double share = 0)
     {
         for (int i = 0; i < Count; i++)
         {
-            Members[i].Rolling = Vector3d.Zero;
-            Members[i].Drilling = 0;
-            Members[i].Bearer = -1;
+            // Warm start also of the resistance: without it, the impulses of the last part would be no solution.
+            ref PileMember ball = ref Members[i];
+            ball.Bearer = BearerOf(i);
+            ball.Rolling = ball.Bearer < 0 ? Vector3d.Zero : share * ball.Rolling;
+            ball.Drilling = ball.Bearer < 0 ? 0 : share * ball.Drilling;
+            ball.W += ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
         }
 
         for (int i = 0; i < ContactCount; i++)
