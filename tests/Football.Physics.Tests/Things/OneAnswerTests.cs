@@ -34,7 +34,7 @@ public sealed class OneAnswerTests
                 var bodies = new KinematicBodies();
                 KinematicBody body = bodies.Add("body", shape);
                 body.MoveTo(at, turned, velocity, spin, 0);
-                _ = k == 1 ? body.BoundsAt(0) : default;
+                _ = k == 1 ? body.Placement.BoundsAt(0) : default;
                 _ = k == 2 ? bodies.FreeFor(in at, in way, 0, 0.02, 3, ignores: 0) : 0;
                 free[k] = bodies.FreeFor(in from, in way, 0, 0.02, around, ignores: 0);
                 corners += k == 1 && free[k] == 0.02 && new StraightWay(in from, way - velocity, 0, 0.02, around).Meets(body.BoundsDuring(0, 0.02)) < 0.02 ? 1 : 0;
