@@ -8,6 +8,7 @@ using FootballPhysics.Labs.Intercept;
 using FootballPhysics.Labs.Matches;
 using FootballPhysics.Labs.Obstacles;
 using FootballPhysics.Labs.People;
+using FootballPhysics.Labs.Peers;
 using FootballPhysics.Labs.Play;
 using FootballPhysics.Labs.Queries;
 using FootballPhysics.Labs.Scenes;
@@ -177,7 +178,7 @@ internal static class Laboratories
             VacuumLab.Create(), ConsistencyLab.Create(), CostLab.Create(), PrecisionLab.Create(), StabilityLab.Create(), AimLab.Create(),
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
-            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
+            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
             StressLab.Create(), ZonesLab.Create(),
         ])
         {

@@ -6,8 +6,8 @@ namespace FootballPhysics.Engines;
 /// <summary>The scene of one ball in a game engine, built from the objects in the engine's scene.</summary>
 /// <remarks>
 /// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene for the game, and the scene for
-/// predictions, which has no objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move the keepers and
-/// the nets. To change the objects, create a new ball scene and continue in it.
+/// predictions, which has no objects that react to the ball. Call <see cref="BeforeStep(FixedStepRunner)"/> in <see cref="FixedStepRunner.MoveBodies"/> to move
+/// the keepers, and <see cref="AfterStep"/> after each step to move the nets. To change the objects, create a new ball scene and continue in it.
 /// </remarks>
 public sealed class BallScene
 {
@@ -163,19 +163,22 @@ public sealed class BallScene
         return isElsewhere ? Ahead.Continue(Game, in ball) : ball;
     }
 
-    /// <summary>Moves the keepers to their positions at the start of a step. Does not allocate.</summary>
-    /// <param name="ball">The ball before the step.</param>
-    public void BeforeStep(in BallState ball)
+    /// <summary>Moves the keepers to their positions at the start of a step. A <see cref="PlaceInput"/> of this tick sends them back to their goals.</summary>
+    /// <remarks>Call it in <see cref="FixedStepRunner.MoveBodies"/>: a <see cref="Rollback"/> then also moves the keepers in the steps that it resimulates.</remarks>
+    /// <param name="runner">The runner of the ball.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
+    public void BeforeStep(FixedStepRunner runner)
     {
-        if (_keepers.Count > 0)
-        {
-            BallState seen = PredictionState(in ball);
-            foreach (KeeperDive keeper in _keepers)
-            {
-                keeper.Follow(in seen);
-            }
-        }
+        Check.Given(nameof(runner), runner);
+        KickLog inputs = runner.Kicks;
+        int place = inputs.FirstPlaceAt(runner.Tick);
+        Follow(runner.State, place < inputs.PlaceCount && inputs.PlaceAt(place).Tick == runner.Tick);
     }
+
+    /// <summary>Moves the keepers to their positions at the start of a step.</summary>
+    /// <remarks>With a <see cref="Rollback"/>, call it in <see cref="FixedStepRunner.MoveBodies"/>.</remarks>
+    /// <param name="ball">The ball before the step.</param>
+    public void BeforeStep(in BallState ball) => Follow(in ball, isPlaced: false);
 
     /// <summary>Updates the bulges of the nets after a step. Does not allocate.</summary>
     /// <param name="ball">The ball after the step.</param>
@@ -217,6 +220,18 @@ public sealed class BallScene
     {
         World world = Game.World;
         return world.Engine is { } engine && happened.ColliderIndex >= EngineCollider.FirstNumber ? engine.Of(happened.ColliderIndex, happened.Position, happened.Time) : null;
+    }
+
+    private void Follow(in BallState ball, bool isPlaced)
+    {
+        if (_keepers.Count > 0)
+        {
+            BallState seen = PredictionState(in ball);
+            foreach (KeeperDive keeper in _keepers)
+            {
+                keeper.Follow(in seen, isPlaced);
+            }
+        }
     }
 
     private static InvalidOperationException NotYet() => new("stage: it is not compiled yet; call Compile first.");

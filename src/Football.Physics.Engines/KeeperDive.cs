@@ -6,8 +6,10 @@ namespace FootballPhysics.Engines;
 /// <summary>A goalkeeper as a body of the scene: he stands in front of his goal and dives for shots.</summary>
 /// <remarks>
 /// <see cref="Interception.FindSave"/> decides if and where he can reach the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
-/// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball and has
-/// no memory of the match. <see cref="Follow"/> does not allocate.
+/// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball.
+/// <para>With a <see cref="Rollback"/>, call <see cref="Follow"/> in <see cref="FixedStepRunner.MoveBodies"/>, so that resimulated steps move him too. When the
+/// clock goes back, he continues from the decisions that he had made by then. The scene for predictions must then contain nothing that moves.
+/// <see cref="Follow"/> allocates only if he decides more often in ten seconds than ever before.</para>
 /// </remarks>
 public sealed class KeeperDive
 {
@@ -30,6 +32,9 @@ public sealed class KeeperDive
 
     private const double Difference = 1e-4;
 
+    /// <summary>The time for which he keeps his past decisions, in s; the longest rollback.</summary>
+    private const double Remembers = 10;
+
     /// <summary>The deviation from the predicted path that counts as a new shot, in m. The limit for the velocity is a hundred times as large, in m/s.</summary>
     private const double Notices = 0.01;
 
@@ -42,12 +47,10 @@ public sealed class KeeperDive
     private readonly Player _abilities;
     private readonly Pose _home;
     private readonly Vector3d _feet;
-    private Pose _from;
-    private Pose _to;
-    private double _start;
-    private double _end = double.NegativeInfinity;
+    private Decision _last;
+    private Decision[] _past = new Decision[32];
+    private int _count;
     private double _now = double.NaN;
-    private Vector3d _target;
 
     /// <summary>Creates a keeper who stands in front of his goal.</summary>
     /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene of the game.</param>
@@ -72,8 +75,7 @@ public sealed class KeeperDive
         _feet = feet;
         _home = new Pose(feet + new Vector3d(0, HalfAxis + Radius, 0), Quaterniond.Identity);
         _path = new TrajectoryCache(ahead, new LookAheadRequest { Duration = LooksAhead, TimeStep = 0.02 }, Notices);
-        _from = _home;
-        _to = _home;
+        Stand();
         Put(0);
     }
 
@@ -93,38 +95,93 @@ public sealed class KeeperDive
     public Goal Goal { get; }
 
     /// <summary>His response to the last shot that he noticed.</summary>
-    public KeeperResult Answer { get; private set; }
+    public KeeperResult Answer => _last.Answer;
 
     /// <summary>True from the start of a dive until he is back.</summary>
-    public bool Dives => _now >= _start && _now < _end + Stays + Returns;
+    public bool Dives => _now >= _last.Start && _now < _last.End + Stays + Returns;
 
     /// <summary>The number of shots that he has dived for.</summary>
-    public int Count { get; private set; }
+    public int Count => _last.Count;
 
     /// <summary>The position and orientation of his body, for drawing.</summary>
     public BallPose BodyPose => new(_body.Position, _body.Orientation);
 
-    /// <summary>Watches the ball and moves his body; call it before every step.</summary>
+    /// <summary>Watches the ball and moves his body; call it at the start of every step.</summary>
     /// <param name="ball">The ball before the step.</param>
-    public void Follow(in BallState ball)
+    /// <param name="isPlaced">True if a <see cref="PlaceInput"/> placed the ball at this step: he then stands at his position again. Default false.</param>
+    public void Follow(in BallState ball, bool isPlaced = false)
     {
-        if (!(ball.Time >= _now))
+        if (!(ball.Time > _now))
         {
-            // The clock went back, so the ball was placed: start again.
-            (_from, _to, _end) = (_home, _home, double.NegativeInfinity);
-            _start = double.PositiveInfinity;
-
-            // Recompute the path even if it matches, because no decision was made for it.
-            _path.Invalidate();
+            GoBack(ball.Time);
         }
 
         _now = ball.Time;
+        if (isPlaced)
+        {
+            Stand();
+        }
+
         if (_path.Update(in ball))
         {
+            _last.Seen = ball;
             Decide(_now);
+            Remember();
         }
 
         Put(_now);
+    }
+
+    /// <summary>Stands at his position, without a decision.</summary>
+    private void Stand()
+    {
+        (_last.From, _last.To, _last.Start, _last.End) = (_home, _home, double.PositiveInfinity, double.NegativeInfinity);
+
+        // Recompute the path even if it matches, because no decision was made for it.
+        _path.Invalidate();
+    }
+
+    /// <summary>Returns to the decision that he had made before a time; if there is none, the ball is new, and he stands.</summary>
+    private void GoBack(double time)
+    {
+        int count = _count;
+        while (_count > 0 && !(_past[_count - 1].Seen.Time < time))
+        {
+            _count--;
+        }
+
+        if (_count == 0)
+        {
+            Stand();
+        }
+        else if (_count < count || time < _now)
+        {
+            _last = _past[_count - 1];
+            _path.Repeat(in _last.Seen, time);
+        }
+    }
+
+    /// <summary>Keeps the last decision.</summary>
+    private void Remember()
+    {
+        if (_count == _past.Length)
+        {
+            // Drop the decisions that were replaced by others before the time to which a rollback may return.
+            int old = 0;
+            while (old + 1 < _count && _past[old + 1].Seen.Time < _now - Remembers)
+            {
+                old++;
+            }
+
+            _count -= old;
+            Array.Copy(_past, old, _past, 0, _count);
+            if (old == 0)
+            {
+                Array.Resize(ref _past, 2 * _count);
+            }
+        }
+
+        _past[_count++] = _last;
     }
 
     /// <summary>Evaluates the predicted path, and starts a dive if the ball crosses the goal at a new point.</summary>
@@ -139,19 +196,19 @@ public sealed class KeeperDive
             return;
         }
 
-        Answer = answer;
+        _last.Answer = answer;
         PathPoint at = answer.Saves ? answer.Save : answer.Crossing;
-        if (now < _end && Vector3d.Distance(at.Position, _target) < SamePlace)
+        if (now < _last.End && Vector3d.Distance(at.Position, _last.Target) < SamePlace)
         {
             return;
         }
 
-        _target = at.Position;
+        _last.Target = at.Position;
         double left = Math.Max(0, at.Time - now - _abilities.Reaction);
-        (_from, _to) = (present, Reaching(in feet, at.Position, left));
-        _start = now + _abilities.Reaction;
-        _end = Math.Max(at.Time, _start + 0.05);
-        Count++;
+        (_last.From, _last.To) = (present, Reaching(in feet, at.Position, left));
+        _last.Start = now + _abilities.Reaction;
+        _last.End = Math.Max(at.Time, _last.Start + 0.05);
+        _last.Count++;
     }
 
     /// <summary>Returns the keeper for the search: at his feet, without motion, and with heights in world coordinates.</summary>
@@ -202,12 +259,12 @@ public sealed class KeeperDive
     /// <summary>Returns his pose at a time: a smooth transition to the dive, a pause, and the return.</summary>
     private Pose At(double time)
     {
-        if (time < _end + Stays)
+        if (time < _last.End + Stays)
         {
-            return Along(in _from, in _to, (time - _start) / (_end - _start));
+            return Along(in _last.From, in _last.To, (time - _last.Start) / (_last.End - _last.Start));
         }
 
-        return Along(in _to, in _home, (time - _end - Stays) / Returns);
+        return Along(in _last.To, in _home, (time - _last.End - Stays) / Returns);
     }
 
     /// <summary>Moves the body to its pose at a time; the velocities are difference quotients.</summary>
@@ -244,6 +301,19 @@ public sealed class KeeperDive
     {
         Vector3d axis = Vector3d.Cross(in from, in to);
         return new Quaterniond(axis.X, axis.Y, axis.Z, 1.0 + Vector3d.Dot(in from, in to)).Normalized();
+    }
+
+    /// <summary>All that he has decided, and the ball for which he decided it.</summary>
+    private struct Decision
+    {
+        public BallState Seen;
+        public Pose From;
+        public Pose To;
+        public double Start;
+        public double End;
+        public Vector3d Target;
+        public KeeperResult Answer;
+        public int Count;
     }
 
     private readonly struct Pose

@@ -67,31 +67,6 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Moves a ball to a position, sets its velocity and spin to zero, and discards its kick for the next step. The clock of the balls continues.</summary>
-    /// <param name="match">The match.</param>
-    /// <param name="ball">The index of the ball, from 0.</param>
-    /// <param name="position">Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.</param>
-    /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
-    [UnmanagedCallersOnly(EntryPoint = "fp_match_place")]
-    public static NativeStatus MatchPlace(NativeMatch* match, int ball, [In][CArray(3)] double* position)
-    {
-        try
-        {
-            Match played = Guard.MatchOf(match);
-            lock (played.Gate)
-            {
-                played.Plays();
-                played.Runner.Place(Guard.Vector(position, "position"), ball);
-            }
-
-            return NativeStatus.Ok;
-        }
-        catch (Exception e)
-        {
-            return Guard.Fail(e);
-        }
-    }
-
     /// <summary>Kicks a ball at the start of the next step: sets its velocity and spin. A second kick of this ball before the step replaces the first.</summary>
     /// <param name="match">The match.</param>
     /// <param name="ball">The index of the ball, from 0.</param>
@@ -158,7 +133,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.</summary>
+    /// <summary>Takes a step: applies the restarts, then the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.</summary>
     /// <param name="match">The match.</param>
     /// <param name="events">Receives the events of all balls, ordered by time, then by ball; null to skip them.</param>
     /// <param name="capacity">The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.</param>

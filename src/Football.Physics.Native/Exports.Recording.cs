@@ -6,7 +6,7 @@ namespace FootballPhysics.Native;
 /// <content>Matches as bytes: saved for a rollback, or recorded for a replay.</content>
 internal static unsafe partial class Exports
 {
-    /// <summary>Saves a match between two steps: balls, kicks, bodies and movable obstacles. After fp_match_restore, the steps are bit-identical. Allocates nothing.</summary>
+    /// <summary>Saves a match between two steps: balls, kicks, restarts, bodies and movable obstacles. After fp_match_restore, the steps are bit-identical. Allocates nothing.</summary>
     /// <param name="match">The match.</param>
     /// <param name="bytes">Receives the bytes, which are the same on every machine; null if capacity is 0.</param>
     /// <param name="capacity">The number of bytes that fit, 0 or more.</param>
@@ -41,7 +41,7 @@ internal static unsafe partial class Exports
     /// <param name="match">The saved match, or one that was created with the same arguments by the same version of the library.</param>
     /// <param name="bytes">The bytes.</param>
     /// <param name="n">The number of bytes.</param>
-    /// <returns>FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE, with nothing changed.</returns>
+    /// <returns>FP_OK; FP_ARGUMENT if the bytes are corrupt, or belong to another match or to an earlier version of the library, or FP_HANDLE, with nothing changed.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_restore")]
     public static NativeStatus MatchRestore(NativeMatch* match, [In] CByte* bytes, long n)
     {
@@ -118,7 +118,7 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Creates a match at the start of a recording. Its steps repeat the recorded kicks and the motions of the bodies; you can only step, seek and read it.</summary>
+    /// <summary>Creates a match at the start of a recording. Its steps repeat the recorded kicks, restarts and the motions of the bodies; you can only step, seek and read it.</summary>
     /// <param name="json">The scene, as for fp_match_create.</param>
     /// <param name="jsonBytes">Its length in bytes; at most 1 048 576.</param>
     /// <param name="recording">The recording: bytes from fp_match_recording, or from Recording.ToBytes in C# for a BallGroup.</param>

@@ -11,7 +11,7 @@ namespace FootballPhysics.Native;
 internal static unsafe partial class Exports
 {
     /// <summary>The version of the interface. It changes with sizes, names and meanings.</summary>
-    public const int AbiVersion = 1;
+    public const int AbiVersion = 2;
 
     private static readonly byte* s_noError = MakeText("");
     private static readonly byte* s_version = MakeText(typeof(Scene).Assembly.GetName().Version!.ToString(3));

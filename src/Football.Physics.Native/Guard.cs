@@ -48,6 +48,12 @@ internal static unsafe class Guard
         return new Vector3d(from[0], from[1], from[2]);
     }
 
+    /// <summary>Reads a vector of the caller; zero if it is null.</summary>
+    public static Vector3d VectorOrZero(double* from) => from is null ? Vector3d.Zero : new Vector3d(from[0], from[1], from[2]);
+
+    /// <summary>Reads a rotation of the caller.</summary>
+    public static Quaterniond? RotationOrNull(double* from) => from is null ? null : new Quaterniond(from[0], from[1], from[2], from[3]);
+
     /// <summary>Checks a state of the caller, and returns a reference to it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ref BallState State(NativeState* state, CompiledScene scene)

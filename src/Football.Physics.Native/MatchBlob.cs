@@ -9,13 +9,15 @@ namespace FootballPhysics.Native;
 
 /// <summary>Saves a match between two steps as bytes, and restores it, without allocating.</summary>
 /// <remarks>
-/// The bytes are little-endian: the format, the session hash and the tick; each ball with its pending kick; each body and movable obstacle; a checksum.
+/// The bytes are little-endian: the format, the session hash and the tick; each ball with its pending kick and restart; each body and movable obstacle; a checksum.
 /// </remarks>
 internal sealed class MatchBlob
 {
-    private const ulong Format = 0x31_48_43_54_41_4D_50_46; // "FPMATCH1"
+    private const ulong Format = 0x32_48_43_54_41_4D_50_46; // "FPMATCH2"
+    private const ulong FormatWithoutPlaces = 0x31_48_43_54_41_4D_50_46; // "FPMATCH1"
     private const int Header = 4 * sizeof(ulong);
     private const int KickSize = 7 * sizeof(double);
+    private const int PlaceSize = 14 * sizeof(double);
     private const int MotionSize = 18 * sizeof(double);
 
     private const ulong Withdrawn = 1;
@@ -24,6 +26,7 @@ internal sealed class MatchBlob
     private readonly Match _match;
     private readonly BallState[] _states;
     private readonly KickInput?[] _kicks;
+    private readonly PlaceInput?[] _places;
     private readonly RigidMotion[] _motions;
     private readonly bool[] _moved;
     private ulong? _session;
@@ -33,12 +36,13 @@ internal sealed class MatchBlob
         _match = match;
         _states = new BallState[match.Runner.Balls];
         _kicks = new KickInput?[_states.Length];
+        _places = new PlaceInput?[_states.Length];
         _motions = new RigidMotion[match.Runner.Simulator.World.Movers];
         _moved = new bool[_motions.Length];
     }
 
     /// <summary>The number of bytes; fixed for a match.</summary>
-    public int Size => Header + (_states.Length * (Snapshot.Size + KickSize)) + (_motions.Length * MotionSize) + Crc32.Size;
+    public int Size => Header + (_states.Length * (Snapshot.Size + KickSize + PlaceSize)) + (_motions.Length * MotionSize) + Crc32.Size;
 
     /// <summary>A hash of the scene, the settings, the step and the version of the library.</summary>
     private ulong Session => _session ??= _match.Runner.SessionHash;
@@ -59,12 +63,23 @@ internal sealed class MatchBlob
             _kicks[runner.Kicks[i].Ball] = runner.Kicks[i];
         }
 
+        Array.Clear(_places);
+        for (int i = runner.Kicks.FirstPlaceAt(runner.Tick); i < runner.Kicks.PlaceCount; i++)
+        {
+            _places[runner.Kicks.PlaceAt(i).Ball] = runner.Kicks.PlaceAt(i);
+        }
+
         for (int i = 0; i < _states.Length; i++)
         {
             Snapshot.Write(in runner.States[i], words.Take(Snapshot.Size));
             words.Write(_kicks[i] is null ? 0UL : 1);
             words.Write(_kicks[i]?.Velocity ?? default);
             words.Write(_kicks[i]?.Spin ?? default);
+            words.Write(_places[i] is null ? 0UL : 1);
+            words.Write(_places[i]?.Position ?? default);
+            words.Write(_places[i]?.Velocity ?? default);
+            words.Write(_places[i]?.Spin ?? default);
+            words.Write(_places[i]?.Orientation ?? default);
         }
 
         runner.Simulator.World.ReadMotions(_motions);
@@ -75,10 +90,7 @@ internal sealed class MatchBlob
             words.Write(motion.Velocity);
             words.Write(motion.Spin);
             words.Write(motion.Pivot);
-            words.Write(motion.Orientation.X);
-            words.Write(motion.Orientation.Y);
-            words.Write(motion.Orientation.Z);
-            words.Write(motion.Orientation.W);
+            words.Write(motion.Orientation);
             words.Write(motion.Time);
             words.Write((motion.IsWithdrawn ? Withdrawn : 0) | (i < _match.Bodies.Count && _match.Bodies.WasMoved(i) ? Moved : 0));
         }
@@ -90,6 +102,11 @@ internal sealed class MatchBlob
     /// <exception cref="ArgumentException">The bytes are corrupt, or belong to another match.</exception>
     public unsafe void Restore(CByte* bytes, long n)
     {
+        if (n >= sizeof(ulong) && BinaryPrimitives.ReadUInt64LittleEndian(new Span<byte>(bytes, sizeof(ulong))) == FormatWithoutPlaces)
+        {
+            throw new ArgumentException("bytes are in the format FPMATCH1 of an earlier version of the library, but this version reads FPMATCH2. Save the match with this version.");
+        }
+
         if (n != Size)
         {
             throw Guard.Refusal("n", n.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"{Size}, the size of a saved state of this match"));
@@ -113,6 +130,11 @@ internal sealed class MatchBlob
             if (_kicks[i] is { } kick)
             {
                 runner.Kicks.Add(in kick);
+            }
+
+            if (_places[i] is { } place)
+            {
+                runner.Kicks.Add(in place);
             }
         }
 
@@ -162,6 +184,12 @@ internal sealed class MatchBlob
             Vector3d velocity = words.Vector();
             Vector3d spin = words.Vector();
             _kicks[i] = isKicked ? new KickInput((long)tick, velocity, spin, ball: i) : null;
+            bool isPlaced = words.Read() != 0;
+            Vector3d position = words.Vector();
+            velocity = words.Vector();
+            spin = words.Vector();
+            Quaterniond orientation = words.Rotation();
+            _places[i] = isPlaced ? new PlaceInput((long)tick, 0, i, position, velocity, spin, orientation) : null;
         }
 
         for (int i = 0; i < _motions.Length; i++)
@@ -173,7 +201,7 @@ internal sealed class MatchBlob
                 Velocity = words.Vector(),
                 Spin = words.Vector(),
                 Pivot = words.Vector(),
-                Orientation = new Quaterniond(words.Number(), words.Number(), words.Number(), words.Number()),
+                Orientation = words.Rotation(),
                 Time = words.Number(),
             };
             ulong flags = words.Read();
@@ -217,10 +245,20 @@ internal sealed class MatchBlob
             Write(vector.Z);
         }
 
+        public void Write(Quaterniond rotation)
+        {
+            Write(rotation.X);
+            Write(rotation.Y);
+            Write(rotation.Z);
+            Write(rotation.W);
+        }
+
         public ulong Read() => BinaryPrimitives.ReadUInt64LittleEndian(Take(sizeof(ulong)));
 
         public double Number() => BinaryPrimitives.ReadDoubleLittleEndian(Take(sizeof(double)));
 
         public Vector3d Vector() => new(Number(), Number(), Number());
+
+        public Quaterniond Rotation() => new(Number(), Number(), Number(), Number());
     }
 }

@@ -22,6 +22,10 @@ internal static partial class Engine
     internal static void Launch(int ball, double x, double y, double z, double vx, double vy, double vz, double sx, double sy, double sz) => Guard.Call(
         () => s_balls[ball].Change(b => b.Launch(new Vector3d(x, y, z), new Vector3d(vx, vy, vz), new Vector3d(sx, sy, sz))));
 
+    /// <summary>Places a ball with a motion and an orientation; its clock continues.</summary>
+    [JSExport]
+    internal static void Restart(int ball, double[] numbers) => Guard.Call(() => s_balls[ball].Restart(numbers));
+
     [JSExport]
     internal static void Kick(int ball, double vx, double vy, double vz, double sx, double sy, double sz) => Guard.Call(
         () => s_balls[ball].Change(b => b.Kick(new Vector3d(vx, vy, vz), new Vector3d(sx, sy, sz))));

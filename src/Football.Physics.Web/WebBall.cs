@@ -44,6 +44,18 @@ internal sealed class WebBall
         Publish();
     }
 
+    /// <summary>Places the ball with a motion and an orientation, keeps its time, and writes its numbers.</summary>
+    /// <param name="numbers">Position, velocity, spin and orientation.</param>
+    public void Restart(double[] numbers)
+    {
+        BallState state = Ball.State;
+        new PlaceInput(0, 0, 0, Vector(0), Vector(3), Vector(6), new Quaterniond(numbers[9], numbers[10], numbers[11], numbers[12])).Apply(_scene.Simulator, ref state);
+        Ball.State = state;
+        Publish();
+
+        Vector3d Vector(int at) => new(numbers[at], numbers[at + 1], numbers[at + 2]);
+    }
+
     /// <summary>Places the bodies, steps, and writes numbers and events.</summary>
     public void Step(double dt)
     {

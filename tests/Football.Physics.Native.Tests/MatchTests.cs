@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using FootballPhysics.Package.Tests;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -16,6 +17,7 @@ public sealed unsafe class MatchTests
     private static readonly delegate* unmanaged<NativeMatch*, NativeStatus> s_free = &Exports.MatchFree;
     private static readonly delegate* unmanaged<NativeMatch*, int, byte*, int, NativeStatus> s_name = &Exports.MatchName;
     private static readonly delegate* unmanaged<NativeMatch*, int, double*, NativeStatus> s_place = &Exports.MatchPlace;
+    private static readonly delegate* unmanaged<NativeMatch*, int, double*, double*, double*, double*, NativeStatus> s_queuePlace = &Exports.MatchQueuePlace;
     private static readonly delegate* unmanaged<NativeMatch*, int, double*, double*, NativeStatus> s_kick = &Exports.MatchKick;
     private static readonly delegate* unmanaged<NativeMatch*, int, int, NativeBody*, NativeStatus> s_move = &Exports.MatchMoveBodies;
     private static readonly delegate* unmanaged<NativeMatch*, NativeMatchEvent*, int, int*, NativeStatus> s_step = &Exports.MatchStep;
@@ -292,6 +294,7 @@ public sealed unsafe class MatchTests
         Assert.Equal(recording.HashAt(30), s_hash(replay));
         Refused("tick is 151; allowed: 0 … 150.", s_seek(replay, 151));
         Refused("match replays a recording", s_place(replay, 0, fine));
+        Refused("match replays a recording", s_queuePlace(replay, 0, fine, null, null, null));
         Refused("match replays a recording", s_kick(replay, 0, fine, fine));
         Refused("match replays a recording", s_record(replay));
         Refused("match replays no recording", s_seek(match, 0));
@@ -303,6 +306,67 @@ public sealed unsafe class MatchTests
         bytes[bytes.Length / 2] ^= 1;
         Assert.Equal(NativeStatus.Argument, Replay(Json, bytes, &replay));
         Assert.True(replay is null);
+        Assert.Equal(NativeStatus.Ok, s_free(match));
+    }
+
+    /// <summary>The restart and the bits of C#: before the kick, the clock and a recording go on, and saved bytes have it.</summary>
+    [Fact]
+    public void A_restart_is_an_input_of_the_next_step()
+    {
+        NativeMatch* match = Create("{}", 2);
+        var runner = new FixedStepRunner(new BallGroup(new Simulator(), 2), 0.01);
+        double* numbers = stackalloc double[13] { 3, 0.5, 4, -8, 3, 1, 0, 6, 0, 0, 2, 0, 2 };
+        double* kick = stackalloc double[6] { 0, 1, -20, 0, 10, 0 };
+        Assert.Equal(NativeStatus.Ok, s_record(match));
+        Assert.Equal(NativeStatus.Ok, s_step(match, null, 0, null));
+        Assert.Equal(NativeStatus.Ok, s_kick(match, 0, kick, kick + 3));
+        Assert.Equal(NativeStatus.Ok, s_queuePlace(match, 0, numbers + 3, null, null, null));
+        Assert.Equal(NativeStatus.Ok, s_queuePlace(match, 0, numbers, null, null, null));
+        Assert.Equal(NativeStatus.Ok, s_queuePlace(match, 1, numbers, numbers + 3, numbers + 6, numbers + 9));
+        byte[] waiting = Saved(match);
+        runner.Step();
+        runner.QueueKick(new Vector3d(0, 1, -20), new Vector3d(0, 10, 0), 0);
+        runner.QueuePlace(new Vector3d(3, 0.5, 4));
+        runner.QueuePlace(new Vector3d(3, 0.5, 4), new Vector3d(-8, 3, 1), new Vector3d(0, 6, 0), new Quaterniond(0, 2, 0, 2), 1);
+        ulong[] hashes = new ulong[20];
+        for (int i = 0; i < hashes.Length; i++)
+        {
+            Assert.Equal(NativeStatus.Ok, s_step(match, null, 0, null));
+            runner.Step();
+            hashes[i] = s_hash(match);
+            Assert.Equal(Snapshot.Hash([runner.StateOf(0), runner.StateOf(1)]), hashes[i]);
+        }
+
+        Assert.Equal(NativeStatus.Ok, Recorded(match, out byte[] recorded));
+        Assert.Equal(2, Recording.FromBytes(recorded).Kicks.PlaceCount);
+        Assert.Null(Recording.FromBytes(recorded).FirstDivergence(new BallGroup(new Simulator(), 2)));
+        NativeMatch* other = Create("{}", 2);
+        Assert.Equal(NativeStatus.Ok, Restore(other, waiting));
+        foreach (ulong hash in hashes)
+        {
+            Assert.Equal(NativeStatus.Ok, s_step(other, null, 0, null));
+            Assert.Equal(hash, s_hash(other));
+        }
+
+        numbers[12] = double.NaN;
+        Refused("place.orientation is ", s_queuePlace(match, 0, numbers, null, null, numbers + 9));
+        Refused("ball is 2", s_queuePlace(match, 2, numbers, null, null, null));
+        Refused("position is null", s_queuePlace(match, 0, null, null, null, null));
+        Assert.Equal(NativeStatus.Ok, s_free(match));
+        Assert.Equal(NativeStatus.Ok, s_free(other));
+    }
+
+    /// <summary>The bytes of the version before restarts (commit 35f708c9): their format is named, and nothing changes.</summary>
+    [Fact]
+    public void The_bytes_of_the_earlier_version_are_refused_by_their_format()
+    {
+        byte[] earlier = File.ReadAllBytes(Path.Combine(Repository.Root, "tests/Football.Physics.Tests/Game/Earlier/match.bin"));
+        NativeMatch* match;
+        Assert.Equal(NativeStatus.Ok, Make("{}", 1, 1.0 / 60, &match));
+        byte[] before = Saved(match);
+        Refused("bytes are in the format FPMATCH1 of an earlier version of the library, but this version reads FPMATCH2. Save the match with this version.", Restore(match, earlier));
+        Refused("n is 7; allowed: ", Restore(match, earlier[..7]));
+        Assert.Equal(before, Saved(match));
         Assert.Equal(NativeStatus.Ok, s_free(match));
     }
 

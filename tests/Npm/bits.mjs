@@ -30,6 +30,9 @@ for (const { name, kick, ticks, scene: description } of JSON.parse(readFileSync(
   ball.kick({ speed: 20, elevation: 15, azimuth: -10, topSpin: 5, sideSpin: 30 });
   ball.step(1 / 64);
   console.log(`${name} kicked again ${ball.hash()}`);
+  ball.restart([1, 2, 3], { velocity: [-4, 3, 1], spin: [0, 6, 0], orientation: [0, 2, 0, 2] });
+  ball.step(1 / 64);
+  console.log(`${name} restarted ${ball.hash()}`);
   ball.restore(saved);
   console.log(`${name} restored ${ball.hash() === hash}`);
 }

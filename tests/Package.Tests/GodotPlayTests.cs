@@ -248,6 +248,43 @@ public sealed class GodotPlayTests : IDisposable
         Assert.Equal(0, least);
     }
 
+    /// <summary>The keeper in the tree saves the same late kick as one in time, and a place in between is an input of its tick.</summary>
+    [Fact]
+    public void A_keeper_and_a_place_under_rollback_end_in_the_same_bits_however_late_the_kick_is()
+    {
+        var ends = new List<ulong>();
+        foreach (int late in (int[])[0, 4, 20])
+        {
+            Dispose();
+            (FootballBall ball, _) = BallAndGoal();
+            GodotAsset.Load("addons/football_physics/scenes/keeper.tscn");
+            ball.Place(new Vector3(0, 0.11f, 0));
+            ball._PhysicsProcess(Frame);
+            var rollback = new FootballPhysics.Netcode.Rollback(ball.Runner, 64);
+            long first = ball.Runner.Tick;
+            for (int i = 0; i < 100; i++)
+            {
+                if (i == 10 + late)
+                {
+                    rollback.ApplyKick(new FootballPhysics.Netcode.KickInput(first + 10, new Vector3d(1.5, 3, -19), default));
+                }
+
+                if (i == 70)
+                {
+                    ball.Place(new Vector3(0, 0.11f, 2));
+                    Assert.Equal(1, ball.Runner.Kicks.PlaceCount);
+                }
+
+                ball._PhysicsProcess(Frame);
+            }
+
+            Assert.Null(rollback.SyncTest(64));
+            ends.Add(rollback.HashAt(first + 100));
+        }
+
+        Assert.Equal((ends[0], ends[0]), (ends[1], ends[2]));
+    }
+
     [Fact]
     public void A_body_that_moves_freely_gets_the_impulse_and_a_frozen_one_does_not()
     {

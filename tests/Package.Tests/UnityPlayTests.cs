@@ -255,6 +255,77 @@ public sealed class UnityPlayTests : IDisposable
         Assert.Equal(0, least);
     }
 
+    /// <summary>The keeper of the scene saves the same late kick as one in time, and a place in between is an input of its tick.</summary>
+    [Fact]
+    public void A_keeper_and_a_place_under_rollback_end_in_the_same_bits_however_late_the_kick_is()
+    {
+        var ends = new List<(ulong Hash, int Dives)>();
+        foreach (int late in (int[])[0, 4, 20])
+        {
+            Dispose();
+            GameObject.DestroyAll();
+            (FootballBall ball, _) = BallAndGoal();
+            FootballKeeper keeper = UnityAsset.Load("Prefabs/Keeper.prefab")["Keeper"].GetComponent<FootballKeeper>();
+            Action step = Message(ball, "FixedUpdate");
+            ball.Place(new Vector3(0f, 0.11f, 0f));
+            step();
+            var rollback = new FootballPhysics.Netcode.Rollback(ball.Runner, 64);
+            long first = ball.Runner.Tick;
+            for (int i = 0; i < 100; i++)
+            {
+                if (i == 10 + late)
+                {
+                    rollback.ApplyKick(new FootballPhysics.Netcode.KickInput(first + 10, new Vector3d(1.5, 3, -19), default));
+                }
+
+                if (i == 70)
+                {
+                    ball.Place(new Vector3(0f, 0.11f, 2f));
+                    Assert.Equal((1, first), (ball.Runner.Kicks.PlaceCount, rollback.OldestTick > first ? first : rollback.OldestTick));
+                }
+
+                step();
+            }
+
+            Message(ball, "Update")();
+            Assert.Null(rollback.SyncTest(64));
+            ends.Add((rollback.HashAt(first + 100), keeper.Dives));
+        }
+
+        Assert.Equal((ends[0], ends[0]), (ends[1], ends[2]));
+        Assert.Equal(1, ends[0].Dives);
+    }
+
+    /// <summary>Unity's colliders cannot go back in time by themselves: a rollback throws, until the game moves them, and the keepers, in its own callback.</summary>
+    [Fact]
+    public void Among_colliders_a_rollback_needs_the_callback_of_the_game()
+    {
+        (FootballBall ball, _) = BallAndGoal();
+        UnityAsset.Load("Prefabs/Keeper.prefab");
+        UnityEngine.Physics.All.Add(new GameObject("cone").Attach<SphereCollider>());
+        ball.Hits = 1;
+        Action step = Message(ball, "FixedUpdate");
+        step();
+        var rollback = new FootballPhysics.Netcode.Rollback(ball.Runner);
+        step();
+        Assert.Null(ball.Runner.MoveBodies);
+        var late = new FootballPhysics.Netcode.KickInput(ball.Runner.Tick - 1, new Vector3d(0, 3, -9), default);
+        Assert.Contains("MoveBodies", Assert.Throws<InvalidOperationException>(() => rollback.ApplyKick(in late)).Message, StringComparison.Ordinal);
+        int calls = 0;
+        ball.Runner.MoveBodies = _ =>
+        {
+            calls++;
+            ball.MoveKeepers();
+        };
+        step();
+        Assert.Equal(1, calls);
+        Assert.NotNull(rollback.ApplyKick(in late));
+        Assert.Equal(3, calls);
+        ball.Hits = 0;
+        step();
+        Assert.Equal(4, calls);
+    }
+
     [Fact]
     public void A_body_that_moves_freely_gets_the_impulse_and_a_kinematic_one_does_not()
     {

@@ -227,6 +227,29 @@ class Recordings(unittest.TestCase):
         with self.assertRaises(ValueError):
             fp.Match.replay("{}", recording)
 
+    def test_a_restart_comes_before_the_kick_and_is_recorded_and_saved(self):
+        with fp.Match() as match, fp.Match() as other:
+            match.record()
+            match.step(5)
+            match.kick(0, [0, 1, -9])
+            match.queue_place(0, [3, 0, 4])
+            saved = match.save()
+            match.step()
+            self.assertAlmostEqual(match.balls()["time"][0], 6 / 60)
+            np.testing.assert_allclose(match.balls()["position"][0], [3, 0.12, 4 - 9 / 60], atol=0.02)
+            match.queue_place(0, [1, 2, 0], velocity=[-8, 3, 1], spin=[0, 6, 0], orientation=[0, 2, 0, 2])
+            match.step(20)
+            self.assertIsNone(fp.Match.replay({}, match.recording()).verify())
+            other.restore(saved)
+            other.step()
+            other.queue_place(0, [1, 2, 0], [-8, 3, 1], [0, 6, 0], [0, 2, 0, 2])
+            other.step(20)
+            self.assertEqual(match.hash, other.hash)
+            with self.assertRaisesRegex(ValueError, "place.velocity is"):
+                match.queue_place(0, [1, 2, 0], velocity=2000)
+            with self.assertRaisesRegex(ValueError, "orientation has shape"):
+                match.queue_place(0, [1, 2, 0], orientation=[0, 0, 1])
+
 
 class Refusals(unittest.TestCase):
     def test_errors_have_a_sentence_and_change_nothing(self):

@@ -117,6 +117,11 @@ public sealed class NpmTests(ITestOutputHelper told)
             ball.Kick(speed: 20, elevationDegrees: 15, azimuthDegrees: -10, topSpin: 5, sideSpin: 30);
             ball.Step(TimeStep);
             yield return $"{name} kicked again {Hash(ball)}";
+            BallState state = ball.State;
+            new PlaceInput(0, 0, 0, new Vector3d(1, 2, 3), new Vector3d(-4, 3, 1), new Vector3d(0, 6, 0), new Quaterniond(0, 2, 0, 2)).Apply(ball.Simulator, ref state);
+            ball.State = state;
+            ball.Step(TimeStep);
+            yield return $"{name} restarted {Hash(ball)}";
             yield return $"{name} restored true";
         }
 

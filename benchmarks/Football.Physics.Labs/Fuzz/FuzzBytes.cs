@@ -91,7 +91,7 @@ internal sealed class KickLogFuzz : FuzzTarget
 {
     public override string Name => "kick logs";
 
-    /// <summary>Makes a log of a few kicks, as a game would.</summary>
+    /// <summary>Makes a log of a few kicks and restarts, as a game would.</summary>
     public static KickLog Log(SeededRandom random, int ticks)
     {
         var log = new KickLog();
@@ -100,6 +100,13 @@ internal sealed class KickLogFuzz : FuzzTarget
             Vector3d velocity = random.Velocity(0, 30, 0, 60);
             bool single = random.Chance(0.5);
             log.Add(new KickInput(random.Below(ticks), single ? velocity.ToVector3() : velocity, random.Chance(0.3) ? Vector3d.Zero : 50 * random.Direction(), random.Below(3)));
+        }
+
+        for (int i = random.Below(3); i > 0; i--)
+        {
+            Vector3d place = random.Uniform(0, 60) * random.Direction();
+            Vector3d velocity = random.Chance(0.5) ? Vector3d.Zero : random.Velocity(0, 30, 0, 60);
+            log.Add(new PlaceInput(random.Below(ticks), random.Below(3), 0, place, velocity, default, random.Chance(0.5) ? null : new Quaterniond(random.Next(), 0, 0, 1)));
         }
 
         return log;
@@ -125,6 +132,28 @@ internal sealed class KickLogFuzz : FuzzTarget
         }
     }
 
+    /// <summary>Writes restarts in the file format, some of their numbers extreme.</summary>
+    public static void WritePlaces(SeededRandom random, ref ByteWriter writer, KickLog log, double wild)
+    {
+        bool Wild() => random.Chance(wild);
+        writer.Integer(Wild() ? Integer(random) : (ulong)log.PlaceCount);
+        long last = 0;
+        for (int i = 0; i < log.PlaceCount; i++)
+        {
+            ref readonly PlaceInput place = ref log.PlaceAt(i);
+            writer.Integer(Wild() ? Integer(random) : (ulong)(place.Tick - last));
+            writer.Integer(Wild() ? Integer(random) : (ulong)place.Player);
+            last = place.Tick;
+            writer.Bits(Wild() ? (ulong)random.Below(1 << 30) : 0x2AAAAAA, 4);
+            Quaterniond q = place.Orientation;
+            foreach (double number in (double[])
+                [place.Position.X, place.Position.Y, place.Position.Z, place.Velocity.X, place.Velocity.Y, place.Velocity.Z, place.Spin.X, place.Spin.Y, place.Spin.Z, q.X, q.Y, q.Z, q.W])
+            {
+                writer.Bits(BitConverter.DoubleToUInt64Bits(Wild() ? FuzzNumbers.AnyBits(random) : number), 8);
+            }
+        }
+    }
+
     /// <summary>Returns an integer at the end of some range.</summary>
     public static ulong Integer(SeededRandom random) =>
         random.Any<ulong>(0, 1, 2, 127, 128, int.MaxValue, uint.MaxValue, long.MaxValue, 1UL << 53, 1UL << 62, ulong.MaxValue, (ulong)random.Below(1000));
@@ -136,6 +165,11 @@ internal sealed class KickLogFuzz : FuzzTarget
         {
             var writer = new ByteWriter();
             Write(random, ref writer, log, mutations / 30.0);
+            if (log.PlaceCount > 0)
+            {
+                WritePlaces(random, ref writer, log, mutations / 30.0);
+            }
+
             return writer.ToArray();
         }
 
@@ -155,8 +189,16 @@ internal sealed class KickLogFuzz : FuzzTarget
         {
             ref readonly KickInput kick = ref log[i];
             Must(kick is { Tick: >= 0, Player: >= 0 } && kick.Velocity.Length <= Limits.Speed && kick.Spin.Length <= Limits.Spin, "a kick is beyond its limits");
-            Must(i == 0 || log[i - 1].Order(kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
+            Must(i == 0 || InputTree<KickInput>.Order(in log[i - 1], kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
             Must(log.FirstAt(kick.Tick) <= i, "a kick is not found");
+        }
+
+        for (int i = 0; i < log.PlaceCount; i++)
+        {
+            ref readonly PlaceInput place = ref log.PlaceAt(i);
+            Must(place is { Tick: >= 0, Player: >= 0 } && place.Velocity.Length <= Limits.Speed && place.Spin.Length <= Limits.Spin, "a restart is beyond its limits");
+            Must(i == 0 || InputTree<PlaceInput>.Order(in log.PlaceAt(i - 1), place.Tick, place.Player, place.Ball) < 0, "restarts are out of order");
+            Must(log.FirstPlaceAt(place.Tick) <= i, "a restart is not found");
         }
 
         byte[] again = log.ToBytes();

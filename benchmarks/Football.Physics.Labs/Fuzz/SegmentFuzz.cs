@@ -28,6 +28,12 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             runner.Kicks.Add(new KickInput(first + kicks[i].Tick, kicks[i].Velocity, kicks[i].Spin, kicks[i].Player));
         }
 
+        for (int i = 0; i < kicks.PlaceCount; i++)
+        {
+            PlaceInput place = kicks.PlaceAt(i);
+            runner.Kicks.Add(new PlaceInput(first + place.Tick, place.Player, 0, place.Position, place.Velocity, place.Spin, place.Orientation));
+        }
+
         runner.QuantizationInterval = random.Below(4);
         Recording segment = runner.Record();
         for (int i = random.Below(Ticks); i > 0; i--)
@@ -123,6 +129,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
         // No bodies, and no moved bodies.
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         KickLogFuzz.Write(random, ref writer, segment.Kicks, Is() ? mutations / 30.0 : 0);
+        KickLogFuzz.WritePlaces(random, ref writer, segment.Kicks, Is() ? mutations / 30.0 : 0);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         int count = (int)(segment.EndTick - segment.StartTick);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)count);

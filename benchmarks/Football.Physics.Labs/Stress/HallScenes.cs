@@ -47,7 +47,7 @@ internal static class HallScenes
         new() { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5 * high, z), new Vector3d(1.5, 0.5 * high, 1.5)), Surface = SurfaceMaterial.Wood };
 }
 
-/// <summary>Changed kick logs: an accepted log is simulated in a scene with nets. Kicks for balls that the match lacks are rejected when due.</summary>
+/// <summary>Changed kick logs: an accepted log is simulated in a scene with nets. Kicks and restarts for balls that the match lacks are rejected when due.</summary>
 internal sealed class KickBytesPlayed : FuzzTarget
 {
     private const double Tick = 1 / 60.0;
@@ -83,7 +83,22 @@ internal sealed class KickBytesPlayed : FuzzTarget
             }
         }
 
-        for (int i = Math.Min(log.Count, MostTicks); i >= 0; i--)
+        for (int i = 0; i < log.PlaceCount; i++)
+        {
+            PlaceInput place = log.PlaceAt(i);
+            int before = runner.Kicks.PlaceCount;
+            try
+            {
+                runner.Kicks.Add(new PlaceInput(2 * i, place.Player, place.Ball, place.Position, place.Velocity, place.Spin, place.Orientation));
+                Must(place.Ball == 0, "a restart of a ball that the match lacks is accepted");
+            }
+            catch (ArgumentOutOfRangeException)
+            {
+                Must(place.Ball != 0 && runner.Kicks.PlaceCount == before, "a restart is rejected, or changes the log all the same");
+            }
+        }
+
+        for (int i = Math.Min(log.Count + log.PlaceCount, MostTicks); i >= 0; i--)
         {
             runner.Step();
             BallState state = runner.State;

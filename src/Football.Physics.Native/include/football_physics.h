@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#define FP_ABI_VERSION 1
+#define FP_ABI_VERSION 2
 #define FP_STATE_BYTES 216
 #define FP_SNAPSHOT_BYTES 228
 
@@ -666,14 +666,6 @@ FP_API fp_status fp_match_free(fp_match* match);
    Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_match_name(const fp_match* match, int32_t thing, char* name, int32_t capacity);
 
-/* Moves a ball to a position, sets its velocity and spin to zero, and discards its kick for the next step. The clock of the balls
-   continues.
-   match: The match.
-   ball: The index of the ball, from 0.
-   position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
-   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
-FP_API fp_status fp_match_place(fp_match* match, int32_t ball, const double position[3]);
-
 /* Kicks a ball at the start of the next step: sets its velocity and spin. A second kick of this ball before the step replaces the first.
    match: The match.
    ball: The index of the ball, from 0.
@@ -691,7 +683,8 @@ FP_API fp_status fp_match_kick(fp_match* match, int32_t ball, const double veloc
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with no body moved. */
 FP_API fp_status fp_match_move_bodies(fp_match* match, int32_t first, int32_t n, const fp_body* bodies);
 
-/* Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.
+/* Takes a step: applies the restarts, then the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording
+   grows.
    match: The match.
    events: Receives the events of all balls, ordered by time, then by ball; null to skip them.
    capacity: The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.
@@ -843,6 +836,35 @@ FP_API fp_status fp_snapshot_write(const fp_state* state, unsigned char bytes[FP
    Returns FP_OK, or FP_ARGUMENT if the bytes are not the state of a ball, or are corrupt. */
 FP_API fp_status fp_snapshot_read(const unsigned char bytes[FP_SNAPSHOT_BYTES], fp_state* out);
 
+/* Places a ball: sets its position, velocity, spin and orientation, and keeps its time. Without velocity and spin it is at rest, or falls.
+   scene: The scene.
+   state: The ball.
+   position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
+   velocity: Velocity, m/s; speed at most 1000; null: zero.
+   spin: Spin, rad/s, world frame; at most 10 000; null: zero.
+   orientation: A quaternion x, y, z, w of any length except 0; null: the identity.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_place(const fp_scene* scene, fp_state* state, const double position[3], const double velocity[3], const double spin[3], const double orientation[4]);
+
+/* Moves a ball to a position at once, sets its velocity and spin to zero, and discards its kick and restart of the next step. A recording
+   ends; fp_match_queue_place continues it.
+   match: The match.
+   ball: The index of the ball, from 0.
+   position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_place(fp_match* match, int32_t ball, const double position[3]);
+
+/* Restarts a ball at the start of the next step, before its kick: sets its position, velocity, spin and orientation. The clock and a
+   recording continue, and no kick is discarded. A second restart of this ball before the step replaces the first.
+   match: The match.
+   ball: The index of the ball, from 0.
+   position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
+   velocity: Velocity, m/s; speed at most 1000; null: zero.
+   spin: Spin, rad/s, world frame; at most 10 000; null: zero.
+   orientation: A quaternion x, y, z, w of any length except 0; null: the identity.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_queue_place(fp_match* match, int32_t ball, const double position[3], const double velocity[3], const double spin[3], const double orientation[4]);
+
 /* Predicts the path of a ball: runs the simulation on a copy. Allocates nothing.
    scene: The scene.
    state: The ball; unchanged.
@@ -878,8 +900,8 @@ FP_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with the ball unchanged. */
 FP_API fp_status fp_derivatives_run(const fp_scene* scene, fp_state* state, double dt, double seconds, int32_t stop_at, fp_derivatives* out, int32_t* ended);
 
-/* Saves a match between two steps: balls, kicks, bodies and movable obstacles. After fp_match_restore, the steps are bit-identical.
-   Allocates nothing.
+/* Saves a match between two steps: balls, kicks, restarts, bodies and movable obstacles. After fp_match_restore, the steps are
+   bit-identical. Allocates nothing.
    match: The match.
    bytes: Receives the bytes, which are the same on every machine; null if capacity is 0.
    capacity: The number of bytes that fit, 0 or more.
@@ -891,7 +913,8 @@ FP_API fp_status fp_match_save(const fp_match* match, unsigned char* bytes, int6
    match: The saved match, or one that was created with the same arguments by the same version of the library.
    bytes: The bytes.
    n: The number of bytes.
-   Returns FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE, with nothing changed. */
+   Returns FP_OK; FP_ARGUMENT if the bytes are corrupt, or belong to another match or to an earlier version of the library, or FP_HANDLE,
+   with nothing changed. */
 FP_API fp_status fp_match_restore(fp_match* match, const unsigned char* bytes, int64_t n);
 
 /* Starts a recording at this tick. It ends when you place a ball, or restore a state that it does not contain.
@@ -907,8 +930,8 @@ FP_API fp_status fp_match_record(fp_match* match);
    Returns FP_OK; FP_BUFFER if capacity is too small, with nothing written at bytes; FP_ARGUMENT if no recording was started, or FP_HANDLE. */
 FP_API fp_status fp_match_recording(const fp_match* match, unsigned char* bytes, int64_t capacity, int64_t* written);
 
-/* Creates a match at the start of a recording. Its steps repeat the recorded kicks and the motions of the bodies; you can only step, seek
-   and read it.
+/* Creates a match at the start of a recording. Its steps repeat the recorded kicks, restarts and the motions of the bodies; you can only
+   step, seek and read it.
    json: The scene, as for fp_match_create.
    json_bytes: Its length in bytes; at most 1 048 576.
    recording: The recording: bytes from fp_match_recording, or from Recording.ToBytes in C# for a BallGroup.

@@ -69,7 +69,7 @@ class Match:
 
     @classmethod
     def replay(cls, scenario: Union[str, Mapping[str, Any]], recording: bytes) -> "Match":
-        """Returns a match at the start of a recording in the same scene. Its steps repeat the recorded kicks and motions; you can only step, seek, verify and read it."""
+        """Returns a match at the start of a recording in the same scene. Its steps repeat the recorded kicks, restarts and motions; you can only step, seek, verify and read it."""
         text, handle = _text(scenario), ctypes.c_void_p()
         _native.check(_native.match_replay(text, len(text), bytes(recording), len(recording), ctypes.byref(handle)))
         match = cls.__new__(cls)
@@ -126,9 +126,28 @@ class Match:
         return room.value.decode()
 
     def place(self, ball: int, position: ArrayLike) -> None:
-        """Places a ball at rest, and discards its kick for the next step. position: (3,), m. A ball in the ground is raised onto it. A recording ends."""
+        """Places a ball at rest at once, and discards its kick and restart of the next step. position: (3,), m. A ball in the ground is raised onto it. A recording ends."""
         at = _broadcast(position, (3,), "position").copy()
         _native.check(_native.match_place(self._handle, _native.whole(ball, "ball"), at.ctypes.data))
+
+    def queue_place(
+        self, ball: int, position: ArrayLike, velocity: ArrayLike = 0.0, spin: ArrayLike = 0.0, orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0)
+    ) -> None:
+        """Restarts a ball at the start of the next step, before its kick, for a kick-off, a throw-in or a corner.
+
+        The clock and a recording continue, and no kick is discarded. A second restart of the ball before the step replaces the first.
+
+        position: (3,), m. A ball in the ground is raised onto it.
+        velocity, spin: (3,) or one number; m/s, at most 1000; rad/s, at most 10 000.
+        orientation: (4,), a quaternion x, y, z, w of any length except 0.
+        """
+        of_place = np.array([_broadcast(position, (3,), "position"), _broadcast(velocity, (3,), "velocity"), _broadcast(spin, (3,), "spin")])
+        turned = _broadcast(orientation, (4,), "orientation").copy()
+        _native.check(
+            _native.match_queue_place(
+                self._handle, _native.whole(ball, "ball"), of_place.ctypes.data, of_place[1].ctypes.data, of_place[2].ctypes.data, turned.ctypes.data
+            )
+        )
 
     def kick(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         """Kicks a ball at the start of the next step. velocity: (3,), m/s, at most 1000; spin: (3,), rad/s, at most 10 000. A second kick before the step replaces the first."""
@@ -201,11 +220,11 @@ class Match:
         return balls
 
     def save(self) -> bytes:
-        """Returns the whole match as bytes: balls, kicks, bodies and pushed obstacles; the same on every machine."""
+        """Returns the whole match as bytes: balls, kicks, restarts, bodies and pushed obstacles; the same on every machine."""
         return self._bytes(_native.match_save)
 
     def restore(self, saved: bytes) -> None:
-        """Restores what ``save`` returned, also from another match of the same scene, balls, step and version. The same bits follow. Corrupt bytes raise ValueError."""
+        """Restores what ``save`` returned, also from another match of the same scene, balls, step and version. The same bits follow. Corrupt bytes, and those of an earlier version, raise ValueError."""
         _native.check(_native.match_restore(self._handle, bytes(saved), len(saved)))
 
     def record(self) -> None:

@@ -17,7 +17,7 @@ _library = ctypes.CDLL(str(pathlib.Path(__file__).parent / _NAMES.get(sys.platfo
 STATE_BYTES = 216
 BALL_BYTES = 120
 EVENT_BYTES = 160
-ABI_VERSION = 1
+ABI_VERSION = 2
 OK, ARGUMENT, SCENE, BUFFER, HANDLE, ABI, INTERNAL, CANCELLED = range(8)
 
 _P, _I, _L, _D = ctypes.c_void_p, ctypes.c_int32, ctypes.c_int64, ctypes.c_double
@@ -57,6 +57,7 @@ match_create = _function("fp_match_create", ctypes.c_char_p, _L, _I, _D, _P)
 match_free = _function("fp_match_free", _P)
 match_name = _function("fp_match_name", _P, _I, _P, _I)
 match_place = _function("fp_match_place", _P, _I, _P)
+match_queue_place = _function("fp_match_queue_place", _P, _I, _P, _P, _P, _P)
 match_kick = _function("fp_match_kick", _P, _I, _P, _P)
 match_move_bodies = _function("fp_match_move_bodies", _P, _I, _I, _P)
 match_step = _function("fp_match_step", _P, _P, _I, _P)

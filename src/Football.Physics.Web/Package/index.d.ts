@@ -241,7 +241,7 @@ export interface Body {
 }
 
 interface BallState {
-  /** Time since the ball was placed, in s. */
+  /** Time since `place` or `launch`, in s; `restart` does not reset it. */
   readonly time: number;
   readonly position: Vector;
   readonly velocity: Vector;
@@ -259,6 +259,8 @@ export interface Ball extends BallState {
   place(position: VectorLike): void;
   /** Places the ball with a velocity and a spin, and resets its clock. */
   launch(position: VectorLike, velocity: VectorLike, spin?: VectorLike): void;
+  /** Places the ball with any motion, for a kick-off, a throw-in or a corner. The clock continues, as with `PlaceInput` in C#. */
+  restart(position: VectorLike, motion?: Omit<Placement, "time">): void;
   kick(velocity: VectorLike, spin?: VectorLike): void;
   kick(kick: KickAngles): void;
   /** Advances the ball by a time, in s. */

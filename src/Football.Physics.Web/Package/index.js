@@ -232,6 +232,10 @@ class Ball {
 
   launch(position, velocity, spin = [0, 0, 0]) { run(this.engine.Launch, this.id, ...vector("position", position), ...vector("velocity", velocity), ...vector("spin", spin)); }
 
+  restart(position, { velocity = [0, 0, 0], spin = [0, 0, 0], orientation = [0, 0, 0, 1] } = {}) {
+    run(this.engine.Restart, this.id, [...vector("position", position), ...vector("velocity", velocity), ...vector("spin", spin), ...quaternion("orientation", orientation)]);
+  }
+
   kick(velocity, spin = [0, 0, 0]) {
     const kick = velocity && velocity.speed !== undefined ? this.physics.kickVectors(velocity) : { velocity, spin };
     run(this.engine.Kick, this.id, ...vector("velocity", kick.velocity), ...vector("spin", kick.spin));

@@ -20,6 +20,13 @@ internal sealed partial class World
         Obstacles.Read(into.Slice(bodies));
     }
 
+    /// <summary>Returns the name of a movable object.</summary>
+    public string NameOfMover(int mover)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        return mover < bodies ? Bodies![mover].Name : Obstacles.NameOf(mover - bodies);
+    }
+
     /// <summary>Saves all motions before a look-ahead.</summary>
     public void KeepMotions()
     {

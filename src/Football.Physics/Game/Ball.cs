@@ -190,16 +190,6 @@ public sealed class Ball
     }
 
     /// <summary>Returns the state of a ball without motion: at rest if a surface supports it.</summary>
-    internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0)
-    {
-        BallState state = simulator.LaunchAt(in position, Vector3d.Zero, Vector3d.Zero, time);
-
-        // If rolling friction cannot hold the ball on a slope or against the wind, the ball rolls away.
-        if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
-        {
-            state.Motion = MotionState.Rest;
-        }
-
-        return state;
-    }
+    internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0) =>
+        simulator.Placed(in position, Vector3d.Zero, Vector3d.Zero, Quaterniond.Identity, time);
 }

@@ -88,9 +88,12 @@ internal struct ByteReader
         return state;
     }
 
+    /// <summary>True if all bytes before the checksum are read.</summary>
+    public readonly bool IsAtEnd => _at == _end;
+
     public readonly void End()
     {
-        if (_at != _end)
+        if (!IsAtEnd)
         {
             throw Broken("something follows their end");
         }

@@ -4,7 +4,7 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
 
-/// <content>Kicks and drawing poses, for use between steps.</content>
+/// <content>Kicks, restarts and drawing poses, for use between steps.</content>
 public sealed partial class FixedStepRunner
 {
     /// <summary>Queues a kick for the start of this tick's step, as player 0.</summary>
@@ -36,6 +36,48 @@ public sealed partial class FixedStepRunner
     /// <summary>Queues a kick from an aiming search for the start of this tick's step.</summary>
     /// <param name="kick">The kick.</param>
     public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
+
+    /// <summary>Places the ball with zero velocity and spin at this tick, and discards its pending kicks and restarts.</summary>
+    /// <remarks>The clock restarts at 0; with several balls, the common clock continues. A ball placed above the ground falls. Pending kicks were aimed
+    /// from the old position, so the ball's inputs for this tick and later ones are removed. With a <see cref="Rollback"/>, use a <see cref="PlaceInput"/>
+    /// (<see cref="QueuePlace"/> or <see cref="Rollback.ApplyPlace"/>), which belongs to a tick.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component, or the index of the ball, is out of range; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A <see cref="Rollback"/> is attached; nothing has changed.</exception>
+    public void Place(Vector3d position, int ball = 0)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        Check.Place("launch.position", position);
+        if (Rollback is not null)
+        {
+            throw new InvalidOperationException("Place would discard the history of the Rollback that is attached to this runner. Restart with a PlaceInput instead: call QueuePlace, or Rollback.ApplyPlace.");
+        }
+
+        // The balls of a group share one clock; a single ball restarts its clock. Bodies continue from their current positions.
+        double time = _group is null ? 0 : Time;
+        _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
+        BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
+        Kicks.RemoveFrom(Tick, ball);
+        Array.Copy(_states, _before, _states.Length);
+        _before[ball] = placed;
+        GoTo(Tick, _before);
+    }
+
+    /// <summary>Queues a restart for the start of this tick's step, as player 0.</summary>
+    /// <remarks><see cref="PlaceInput"/> describes the order of inputs. Unlike <see cref="Place"/>, this method keeps the clock, the kicks and the history of a
+    /// <see cref="Rollback"/>.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000. Default 0.</param>
+    /// <param name="spin">Spin, rad/s, world frame; at most 10 000. Default 0.</param>
+    /// <param name="orientation">The orientation, of any length except zero. Default null: the identity.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    public void QueuePlace(Vector3d position, Vector3d velocity = default, Vector3d spin = default, Quaterniond? orientation = null, int ball = 0)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        Kicks.Add(new PlaceInput(Tick, 0, ball, position, velocity, spin, orientation));
+    }
 
     /// <summary>Returns the pose in which to draw the ball, at a fraction of the last step.</summary>
     /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events in between. A bouncing

@@ -9,7 +9,7 @@ namespace FootballPhysics;
 /// <remarks>All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. With bodies, this is true only if
 /// <see cref="MoveBodies"/> positions them for every step. If you move them once per frame, the frame rate affects the result. Games with their own fixed
 /// update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw <see cref="Position"/>
-/// and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When a kick arrives late, it restores an earlier state and resimulates with
+/// and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When an input arrives late, it restores an earlier state and resimulates with
 /// the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
 public sealed partial class FixedStepRunner
 {
@@ -107,7 +107,7 @@ public sealed partial class FixedStepRunner
                 throw new InvalidOperationException("A runner of several balls cannot change its simulator. Create a new runner instead.");
             }
 
-            if (value.World.Movers != _simulator.World.Movers && History is not null)
+            if (value.World.Movers != _simulator.World.Movers && Rollback is not null)
             {
                 throw new InvalidOperationException("The new scene has another number of bodies and movable obstacles, and a Rollback is attached to this runner. Use a scene with as many of them as the old one.");
             }
@@ -130,11 +130,12 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
     /// <remarks>The callback is called at the start of every step, including resimulated steps, with the ball's clock time in s. It moves the bodies
-    /// (<see cref="Scene.Bodies"/>) and engine colliders. Default null: bodies keep moving as last set, and a <see cref="Rollback"/> stores their positions.</remarks>
+    /// (<see cref="Scene.Bodies"/>) and engine colliders. Move every body that depends on the ball here, such as a keeper. In the callback, <see cref="Tick"/>
+    /// is the tick of the step, and <see cref="State"/> is the ball after the restarts of this tick and before its kicks. Default null: bodies keep moving as last set, and a <see cref="Rollback"/> stores their positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
-    /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
-    /// <remarks>Kicks that a rollback or a recording may still need are kept.</remarks>
+    /// <summary>Gets or sets the age, in ticks, at which past kicks and restarts are discarded. 1 … 1e15; default 36 000.</summary>
+    /// <remarks>Inputs that a rollback or a recording may still need are kept.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public long KickTicks
     {
@@ -152,17 +153,24 @@ public sealed partial class FixedStepRunner
     /// per component (just above the ground by 1 mm, upwards), velocity by 1 mm/s. Spin changes by less than 0.125 rad/s and rotation by at most
     /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded: a ball
     /// in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
-    /// With several balls, either all are rounded or none. A look-ahead does not round. Setting a different value ends a recording.</remarks>
+    /// With several balls, either all are rounded or none. A look-ahead does not round. Set it before you attach a <see cref="Rollback"/> or start a
+    /// recording, because both repeat past steps.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A different value is set while a rollback is attached or a recording runs; nothing has changed.</exception>
     public int QuantizationInterval
     {
         get => _wireTicks;
         set
         {
             Check.Within(nameof(QuantizationInterval), value, 0, MostWireTicks);
-            if (value != _wireTicks)
+            if (value != _wireTicks && Rollback is not null)
             {
-                StopRecording();
+                throw new InvalidOperationException("QuantizationInterval cannot change while a Rollback is attached, because resimulated ticks would be rounded differently. Set it before you create the Rollback.");
+            }
+
+            if (value != _wireTicks && Recording is not null)
+            {
+                throw new InvalidOperationException("QuantizationInterval cannot change during a recording, because a replay would round its ticks differently. Call StopRecording first.");
             }
 
             _wireTicks = value;
@@ -192,11 +200,11 @@ public sealed partial class FixedStepRunner
     /// <summary>The motion state: airborne, sliding, rolling or at rest.</summary>
     public MotionState Motion => _states[0].Motion;
 
-    /// <summary>The time since the ball was placed, in s.</summary>
+    /// <summary>The time since <see cref="Place"/> placed the ball, in s; a <see cref="PlaceInput"/> does not restart it.</summary>
     public double Time => _states[0].Time;
 
-    /// <summary>The past and future kicks, sorted by tick.</summary>
-    /// <remarks>A kick added for an earlier tick takes effect when the game rolls back to that tick.</remarks>
+    /// <summary>The past and future kicks and restarts, sorted by tick.</summary>
+    /// <remarks>An input added for an earlier tick takes effect when the game rolls back to that tick.</remarks>
     public KickLog Kicks { get; }
 
     /// <summary>The events of the last <see cref="Advance"/> or <see cref="Step"/>, in order.</summary>
@@ -224,7 +232,7 @@ public sealed partial class FixedStepRunner
     public Recording? Recording => _recorder.Recording;
 
     /// <summary>The rollback that stores the last states; null if there is none.</summary>
-    internal Rollback? History { get; set; }
+    public Rollback? Rollback { get; internal set; }
 
     /// <summary>The body positions of a recording that is replayed; null if the game positions the bodies.</summary>
     internal PlacementLog? Script { get; set; }
@@ -251,27 +259,6 @@ public sealed partial class FixedStepRunner
     /// <param name="ball">The index of the ball, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
-
-    /// <summary>Places the ball with zero velocity and spin at this tick, and discards its pending kicks.</summary>
-    /// <remarks>The clock restarts at 0; with several balls, the common clock continues. A ball placed above the ground falls. Pending kicks were aimed
-    /// from the old position, so those for this tick and later ones are removed.</remarks>
-    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
-    /// <param name="ball">The index of the ball; default 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A component, or the index of the ball, is out of range; nothing has changed.</exception>
-    public void Place(Vector3d position, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        Check.Place("launch.position", position);
-
-        // The balls of a group share one clock; a single ball restarts its clock. Bodies continue from their current positions.
-        double time = _group is null ? 0 : Time;
-        _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
-        BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
-        Kicks.RemoveFrom(Tick, ball);
-        Array.Copy(_states, _before, _states.Length);
-        _before[ball] = placed;
-        GoTo(Tick, _before);
-    }
 
     /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
@@ -312,8 +299,9 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Sets the tick and the state, to roll back, join a running match, or move the ball.</summary>
-    /// <remarks>All <see cref="Kicks"/> are kept, including those for this tick, so that the following steps can be resimulated. To move the ball and discard
-    /// its kicks, use <see cref="Place"/>. The time carried over to the next frame is kept too. Interpolation restarts from this state.</remarks>
+    /// <remarks>All <see cref="Kicks"/> are kept, including those for this tick, so that the following steps can be resimulated. An attached
+    /// <see cref="Rollback"/> restarts its history here. To move the ball and discard its kicks, use <see cref="Place"/>. The time carried over to the next
+    /// frame is kept too. Interpolation restarts from this state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it, or no ball of this scene can have the
@@ -362,9 +350,10 @@ public sealed partial class FixedStepRunner
         Array.Copy(states, _states, _states.Length);
         Array.Copy(states, _previous, _states.Length);
         Tick = tick;
+        Kicks.Played = tick;
         _log.Clear();
         Events.Clear();
-        History?.Begin(tick);
+        Rollback?.Begin(tick);
         _recorder.GoTo(tick, _states);
     }
 
@@ -375,7 +364,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Ends the recording, if there is one.</summary>
     public void StopRecording() => _recorder.Stop();
 
-    /// <summary>Makes one step: positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
+    /// <summary>Makes one step: places the balls, positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
     private void StepOnce()
     {
         // Save everything that a step changes, including its kicks: a failed step must change nothing.
@@ -388,7 +377,13 @@ public sealed partial class FixedStepRunner
 
         try
         {
-            // 1. Position the bodies for this tick. 2. Apply its kicks. 3. Step.
+            // 1. Place the balls of this tick's restarts. 2. Position the bodies, which may follow the ball. 3. Apply the kicks. 4. Step.
+            for (int i = Kicks.FirstPlaceAt(Tick); i < Kicks.PlaceCount && Kicks.PlaceAt(i).Tick == Tick; i++)
+            {
+                ref readonly PlaceInput place = ref Kicks.PlaceAt(i);
+                place.Apply(SimulatorOf(place.Ball), ref _states[place.Ball]);
+            }
+
             _recorder.MoveBodies(this, world);
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
@@ -423,6 +418,7 @@ public sealed partial class FixedStepRunner
 
         // Quantise within the step, so that hashing, recording and rollback all see the quantised state.
         Tick++;
+        Kicks.Played = Tick;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
         {
             WireForm.Round(this);
@@ -430,18 +426,18 @@ public sealed partial class FixedStepRunner
 
         Events.Add(_log.Events);
         Recording?.Add(_states, world);
-        History?.Keep(Tick);
+        Rollback?.Keep(Tick);
         ForgetKicks();
     }
 
-    /// <summary>Removes kicks that can no longer be resimulated.</summary>
+    /// <summary>Removes inputs that can no longer be resimulated.</summary>
     private void ForgetKicks()
     {
-        if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
+        if (Kicks.FirstTick < Tick - _kickTicks)
         {
-            // Keep all kicks since the oldest tick to which a rollback or a replay can return.
+            // Keep all inputs since the oldest tick to which a rollback or a replay can return.
             long oldest = Tick - _kickTicks;
-            oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
+            oldest = Math.Min(oldest, Rollback?.OldestTick ?? oldest);
             Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));
         }
     }

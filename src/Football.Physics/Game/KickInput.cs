@@ -1,10 +1,11 @@
 using System.Globalization;
+using FootballPhysics.Game;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Netcode;
 
 /// <summary>A kick at a tick. A match can be reproduced from its start state and its kicks.</summary>
-public readonly struct KickInput : IFormattable
+public readonly struct KickInput : IFormattable, IMatchInput<KickInput>
 {
     /// <summary>The maximum number of balls.</summary>
     internal const int MostBalls = 10_000;
@@ -59,11 +60,5 @@ public readonly struct KickInput : IFormattable
         return $"tick {Tick.ToString(culture)}: {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s, player {Player.ToString(culture)}";
     }
 
-    /// <summary>Compares two kicks by tick, then player, then ball.</summary>
-    internal int Order(long tick, int player, int ball)
-    {
-        int byTick = Tick.CompareTo(tick);
-        int byPlayer = Player.CompareTo(player);
-        return byTick != 0 ? byTick : byPlayer != 0 ? byPlayer : Ball.CompareTo(ball);
-    }
+    bool IMatchInput<KickInput>.IsSame(in KickInput other) => Bits.Same(Velocity, other.Velocity) && Bits.Same(Spin, other.Spin);
 }

@@ -1,18 +1,20 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using FootballPhysics.Game;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
+/// <summary>Kicks and restarts sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// The kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only when it grows. A serialised kick
-/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take no bytes. A 4-byte checksum follows
-/// all kicks.
+/// The inputs are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only when it grows. A serialised kick
+/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. A restart from rest takes about 22 or 34. Numbers that are 0 take
+/// no bytes. A 4-byte checksum follows all inputs.
 /// </remarks>
 public sealed class KickLog
 {
-    private readonly KickTree _kicks;
+    private readonly InputTree<KickInput> _kicks;
+    private readonly InputTree<PlaceInput> _places = new(4);
     private readonly int _balls = KickInput.MostBalls;
 
     /// <summary>Creates an empty log.</summary>
@@ -21,7 +23,7 @@ public sealed class KickLog
     public KickLog(int capacity = 64)
     {
         Check.AtLeast(nameof(capacity), capacity, 1);
-        _kicks = new KickTree(capacity);
+        _kicks = new InputTree<KickInput>(capacity);
     }
 
     /// <summary>Creates an empty log for a runner with the given number of balls.</summary>
@@ -31,6 +33,18 @@ public sealed class KickLog
     /// <summary>The number of kicks.</summary>
     public int Count => _kicks.Count;
 
+    /// <summary>The number of restarts.</summary>
+    public int PlaceCount => _places.Count;
+
+    /// <summary>The first tick that the runner has not simulated yet.</summary>
+    internal long Played { get; set; }
+
+    /// <summary>The earliest tick whose inputs changed after the runner had simulated it; the maximum if there is none.</summary>
+    internal long ChangedAt { get; set; } = long.MaxValue;
+
+    /// <summary>The tick of the first input; the maximum if there are none.</summary>
+    internal long FirstTick => Math.Min(Count > 0 ? _kicks.At(0).Tick : long.MaxValue, PlaceCount > 0 ? _places.At(0).Tick : long.MaxValue);
+
     /// <summary>Gets a kick by its index.</summary>
     /// <param name="index">The index, from 0 and below <see cref="Count"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such kick.</exception>
@@ -38,25 +52,48 @@ public sealed class KickLog
     {
         get
         {
-            if ((uint)index >= (uint)Count)
-            {
-                throw Check.Refusal(nameof(index), index.ToString(CultureInfo.InvariantCulture), $"0 … {Count - 1}");
-            }
-
+            RefuseIndex(index, Count);
             return ref _kicks.At(index);
         }
+    }
+
+    /// <summary>Returns a restart by its index.</summary>
+    /// <param name="index">The index, from 0 and below <see cref="PlaceCount"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such restart.</exception>
+    public ref readonly PlaceInput PlaceAt(int index)
+    {
+        RefuseIndex(index, PlaceCount);
+        return ref _places.At(index);
     }
 
     /// <summary>Adds a kick in order, or replaces one with the same tick, player and ball.</summary>
     /// <param name="kick">The kick.</param>
     /// <exception cref="ArgumentOutOfRangeException">The runner that owns this log does not have this ball; nothing has changed.</exception>
+    [OverloadResolutionPriority(1)]
     public void Add(in KickInput kick)
     {
         // A kick may come from the network: reject an unknown ball at once, not in the middle of a step.
         Check.Index("kick.ball", kick.Ball, _balls);
 
         // Sort when inserting, so that kicks are applied in the same order whatever their order of arrival.
-        _kicks.Put(in kick);
+        if (!Has(in kick))
+        {
+            _kicks.Put(in kick);
+            Changes(kick.Tick);
+        }
+    }
+
+    /// <summary>Adds a restart in order, or replaces one with the same tick, player and ball. Removes no kick.</summary>
+    /// <param name="place">The restart.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The runner that owns this log does not have this ball; nothing has changed.</exception>
+    public void Add(in PlaceInput place)
+    {
+        Check.Index("place.ball", place.Ball, _balls);
+        if (!Has(in place))
+        {
+            _places.Put(in place);
+            Changes(place.Tick);
+        }
     }
 
     /// <summary>Removes a kick, for instance one that was only predicted.</summary>
@@ -64,13 +101,24 @@ public sealed class KickLog
     /// <param name="player">The player; default 0.</param>
     /// <param name="ball">The ball; default 0.</param>
     /// <returns>True if there was such a kick.</returns>
-    public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball);
+    public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball) && Changes(tick);
 
-    /// <summary>Removes the kicks before a tick, for instance those too old for a rollback.</summary>
+    /// <summary>Removes a restart, for instance one that was only predicted.</summary>
+    /// <param name="tick">The tick.</param>
+    /// <param name="player">The player; default 0.</param>
+    /// <param name="ball">The ball; default 0.</param>
+    /// <returns>True if there was such a restart.</returns>
+    public bool RemovePlace(long tick, int player = 0, int ball = 0) => _places.Remove(tick, player, ball) && Changes(tick);
+
+    /// <summary>Removes the inputs before a tick, for instance those too old for a rollback.</summary>
     /// <param name="tick">The first tick to keep.</param>
-    internal void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
+    internal void RemoveBefore(long tick)
+    {
+        _kicks.RemoveFirst(FirstAt(tick));
+        _places.RemoveFirst(FirstPlaceAt(tick));
+    }
 
-    /// <summary>Removes the kicks at or after a tick, for instance when the ball is moved.</summary>
+    /// <summary>Removes the kicks and restarts at or after a tick, for instance when the ball is moved.</summary>
     /// <param name="tick">The first tick to remove.</param>
     public void RemoveFrom(long tick)
     {
@@ -78,11 +126,18 @@ public sealed class KickLog
         while (Count > kept)
         {
             KickInput last = _kicks.At(Count - 1);
-            _kicks.Remove(last.Tick, last.Player, last.Ball);
+            Remove(last.Tick, last.Player, last.Ball);
+        }
+
+        kept = FirstPlaceAt(tick);
+        while (PlaceCount > kept)
+        {
+            PlaceInput last = _places.At(PlaceCount - 1);
+            RemovePlace(last.Tick, last.Player, last.Ball);
         }
     }
 
-    /// <summary>Removes the kicks of one ball at or after a tick.</summary>
+    /// <summary>Removes the inputs of one ball at or after a tick.</summary>
     internal void RemoveFrom(long tick, int ball)
     {
         for (int i = FirstAt(tick); i < Count;)
@@ -90,20 +145,42 @@ public sealed class KickLog
             KickInput kick = _kicks.At(i);
             i += kick.Ball == ball && Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
         }
+
+        for (int i = FirstPlaceAt(tick); i < PlaceCount;)
+        {
+            PlaceInput place = _places.At(i);
+            i += place.Ball == ball && RemovePlace(place.Tick, place.Player, ball) ? 0 : 1;
+        }
     }
 
     /// <summary>Returns the index of the first kick at or after a tick; <see cref="Count"/> if there is none.</summary>
     /// <param name="tick">The tick.</param>
     public int FirstAt(long tick) => _kicks.CountBefore(tick, 0, 0);
 
-    /// <summary>Removes all kicks, but keeps the capacity.</summary>
-    public void Clear() => _kicks.Clear();
+    /// <summary>Returns the index of the first restart at or after a tick; <see cref="PlaceCount"/> if there is none.</summary>
+    /// <param name="tick">The tick.</param>
+    public int FirstPlaceAt(long tick) => _places.CountBefore(tick, 0, 0);
+
+    /// <summary>Removes all kicks and restarts, but keeps the capacity.</summary>
+    public void Clear()
+    {
+        Changes(FirstTick);
+        _kicks.Clear();
+        _places.Clear();
+    }
 
     /// <summary>Serialises the log; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
         var writer = new ByteWriter();
         Write(ref writer);
+
+        // A log without restarts has the bytes of the format before there were any.
+        if (PlaceCount > 0)
+        {
+            WritePlaces(ref writer);
+        }
+
         return writer.ToArray();
     }
 
@@ -114,10 +191,40 @@ public sealed class KickLog
     {
         var reader = new ByteReader(bytes);
         KickLog log = Read(ref reader);
+        if (!reader.IsAtEnd)
+        {
+            log.ReadPlaces(ref reader);
+            if (log.PlaceCount == 0)
+            {
+                throw ByteReader.Broken("something follows their end");
+            }
+        }
+
         reader.End();
         return log;
     }
 
+    /// <summary>True if the log has a kick with the same bits.</summary>
+    internal bool Has(in KickInput kick) => _kicks.Has(in kick);
+
+    /// <summary>True if the log has a restart with the same bits.</summary>
+    internal bool Has(in PlaceInput place) => _places.Has(in place);
+
+    /// <summary>Adds the inputs of another log from one tick up to, but excluding, another.</summary>
+    internal void Add(KickLog other, long from, long to)
+    {
+        for (int i = other.FirstAt(from); i < other.Count && other[i].Tick < to; i++)
+        {
+            Add(in other[i]);
+        }
+
+        for (int i = other.FirstPlaceAt(from); i < other.PlaceCount && other.PlaceAt(i).Tick < to; i++)
+        {
+            Add(in other.PlaceAt(i));
+        }
+    }
+
+    /// <summary>Writes the kicks.</summary>
     internal void Write(ref ByteWriter writer)
     {
         // The number of kicks, then for each kick: ticks since the last kick, player, ball, velocity and spin.
@@ -133,6 +240,22 @@ public sealed class KickLog
         }
     }
 
+    /// <summary>Writes the restarts, in the same form.</summary>
+    internal void WritePlaces(ref ByteWriter writer)
+    {
+        writer.Integer((ulong)PlaceCount);
+        long last = 0;
+        for (int i = 0; i < PlaceCount; i++)
+        {
+            ref readonly PlaceInput place = ref _places.At(i);
+            writer.Integer((ulong)(place.Tick - last));
+            writer.Integer((ulong)place.Player);
+            PlaceBytes.Write(in place, ref writer);
+            last = place.Tick;
+        }
+    }
+
+    /// <summary>Reads kicks.</summary>
     internal static KickLog Read(ref ByteReader reader)
     {
         int count = reader.Count(KickBytes.Smallest);
@@ -143,7 +266,7 @@ public sealed class KickLog
             // A sum that exceeds 63 bits becomes negative, and KickInput rejects it.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && log._kicks.At(i - 1).Order(kick.Tick, kick.Player, kick.Ball) >= 0)
+            if (i > 0 && InputTree<KickInput>.Order(in log._kicks.At(i - 1), kick.Tick, kick.Player, kick.Ball) >= 0)
             {
                 // Require sorted kicks without duplicates, so that every log has exactly one encoding.
                 throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
@@ -153,5 +276,38 @@ public sealed class KickLog
         }
 
         return log;
+    }
+
+    /// <summary>Reads restarts.</summary>
+    internal void ReadPlaces(ref ByteReader reader)
+    {
+        int count = reader.Count(PlaceBytes.Smallest);
+        long tick = 0;
+        for (int i = 0; i < count; i++)
+        {
+            tick += reader.Long();
+            PlaceInput place = PlaceBytes.Read(tick, reader.Int(), ref reader);
+            if (i > 0 && InputTree<PlaceInput>.Order(in _places.At(i - 1), place.Tick, place.Player, place.Ball) >= 0)
+            {
+                throw ByteReader.Broken("two restarts are not in order, or of one player and one ball at one tick");
+            }
+
+            _places.Put(in place);
+        }
+    }
+
+    private static void RefuseIndex(int index, int count)
+    {
+        if ((uint)index >= (uint)count)
+        {
+            throw Check.Refusal(nameof(index), index.ToString(CultureInfo.InvariantCulture), $"0 … {count - 1}");
+        }
+    }
+
+    /// <summary>Notes that the inputs of a tick changed; returns true.</summary>
+    private bool Changes(long tick)
+    {
+        ChangedAt = tick < Played ? Math.Min(ChangedAt, tick) : ChangedAt;
+        return true;
     }
 }

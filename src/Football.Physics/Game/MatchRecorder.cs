@@ -46,13 +46,13 @@ internal sealed class MatchRecorder
         else if (bodies is not null)
         {
             runner.Script?.Apply(tick, bodies);
-            runner.History?.PutBodies(tick, bodies);
+            runner.Rollback?.PutBodies(tick, bodies);
         }
 
         // Store the final positions, because a resimulation must use exactly the positions of this step.
         if (bodies is not null)
         {
-            runner.History?.KeepBodies(tick, bodies);
+            runner.Rollback?.KeepBodies(tick, bodies);
             Recording?.Bodies.Record(tick, bodies);
         }
 

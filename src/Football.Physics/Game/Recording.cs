@@ -12,7 +12,7 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>A recorded segment of a match that can be stored, sent and replayed.</summary>
 /// <remarks>
-/// A recording contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per step,
+/// A recording contains the start state, the kicks, the restarts, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per step,
 /// and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks, it stores a complete state, from which <see cref="Seek"/>
 /// continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws <see cref="ArgumentException"/>. Engine
 /// colliders are not included either, so you must position them in a replay.
@@ -21,6 +21,9 @@ public sealed class Recording
 {
     /// <summary>The number of ticks between two keyframes; a seek simulates fewer ticks than this.</summary>
     public const int KeyframeTicks = 64;
+
+    /// <summary>The version of the inputs that peers exchange. Version 2 has restarts.</summary>
+    private const int InputFormat = 2;
 
     private readonly BallState[] _start;
     private readonly RigidMotion[] _motions;
@@ -78,7 +81,7 @@ public sealed class Recording
     /// <remarks>The positions of these colliders are not recorded.</remarks>
     public bool HasMovingColliders { get; internal set; }
 
-    /// <summary>The kicks; those before <see cref="StartTick"/>, or from <see cref="EndTick"/> on, are ignored.</summary>
+    /// <summary>The kicks and restarts; those before <see cref="StartTick"/>, or from <see cref="EndTick"/> on, are ignored.</summary>
     public KickLog Kicks { get; }
 
     /// <summary>The states and the motions at the start, the hashes of the steps, and the keyframes.</summary>
@@ -113,7 +116,7 @@ public sealed class Recording
     public long? FirstDivergence(BallGroup group, Action<double>? bodiesAt = null) => FirstDivergence(Replay(group, bodiesAt));
 
     /// <summary>Creates a runner at the start of the segment; stepping the runner replays the segment.</summary>
-    /// <remarks>The runner has the recorded kicks and body positions.</remarks>
+    /// <remarks>The runner has the recorded kicks, restarts and body positions.</remarks>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a given time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
@@ -123,7 +126,7 @@ public sealed class Recording
         Replay(new FixedStepRunner(simulator ?? throw new ArgumentNullException(nameof(simulator)), TimeStep, LongestFrame), bodiesAt);
 
     /// <summary>Creates a runner of several balls at the start of the segment; stepping the runner replays the segment.</summary>
-    /// <remarks>The runner has the recorded kicks and body positions.</remarks>
+    /// <remarks>The runner has the recorded kicks, restarts and body positions.</remarks>
     /// <param name="group">The balls of the match, with the same scene and settings.</param>
     /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a given time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
@@ -296,10 +299,11 @@ public sealed class Recording
     {
         var key = new SceneKey();
 
-        // Hash everything that affects a step besides state, kicks and bodies: peers with equal hashes produce bit-identical results.
+        // Hash everything that affects a step besides state, inputs and bodies: peers with equal hashes produce bit-identical results.
         key.Add(runner.TimeStep);
         key.Add(runner.QuantizationInterval);
         key.Add(runner.Balls);
+        key.Add(InputFormat);
         foreach (char letter in LibraryVersion)
         {
             key.Add(letter);
@@ -333,7 +337,7 @@ public sealed class Recording
         return null;
     }
 
-    /// <summary>Sets a runner to the start of the segment, with its kicks and body positions, after checking its scene.</summary>
+    /// <summary>Sets a runner to the start of the segment, with its inputs and body positions, after checking its scene.</summary>
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
         // Reject a different scene or different settings now; otherwise, the replay would diverge later without explanation.
@@ -351,10 +355,7 @@ public sealed class Recording
                 "The recording does not store engine colliders, and some moved. Pass bodiesAt to position them.");
         }
 
-        for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
-        {
-            runner.Kicks.Add(in Kicks[i]);
-        }
+        runner.Kicks.Add(Kicks, StartTick, EndTick);
 
         // Restore the initial state: bodies and movable obstacles first, then the balls.
         world.WriteMotions(_motions);

@@ -6,7 +6,8 @@ namespace FootballPhysics.Game;
 /// <summary>The bytes of a recording. They are untrusted, so each number is checked as it is read.</summary>
 internal static class RecordingBytes
 {
-    private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
+    private const ulong Format = 0x35_47_53_42_46; // "FBSG5"
+    private const ulong FormatWithoutPlaces = 0x34_47_53_42_46; // "FBSG4"
     private const ulong AnyFormat = 0x47_53_42_46; // "FBSG"
     private const int LongestVersion = 64;
     private const int MostBalls = 10_000;
@@ -15,12 +16,9 @@ internal static class RecordingBytes
     /// <summary>Serialises a recording; the bytes are the same on every machine.</summary>
     public static byte[] Write(Recording recording)
     {
-        // The runner may have kicks outside the segment: write only kicks inside it.
-        var kicks = new KickLog();
-        for (int i = recording.Kicks.FirstAt(recording.StartTick); i < recording.Kicks.Count && recording.Kicks[i].Tick < recording.EndTick; i++)
-        {
-            kicks.Add(in recording.Kicks[i]);
-        }
+        // The runner may have inputs outside the segment: write only inputs inside it.
+        var inputs = new KickLog();
+        inputs.Add(recording.Kicks, recording.StartTick, recording.EndTick);
 
         var writer = new ByteWriter();
 
@@ -51,8 +49,9 @@ internal static class RecordingBytes
             PlacementLog.Write(in motion, ref writer);
         }
 
-        // The inputs: kicks, then body positions.
-        kicks.Write(ref writer);
+        // The inputs: kicks, restarts, then body positions.
+        inputs.Write(ref writer);
+        inputs.WritePlaces(ref writer);
         recording.Bodies.Write(recording.StartTick, recording.EndTick, ref writer);
 
         // The results: a hash per step, and the keyframes. ToArray appends the checksum.
@@ -70,7 +69,7 @@ internal static class RecordingBytes
     public static Recording Read(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
-        ReadFormat(ref reader);
+        bool hasPlaces = ReadFormat(ref reader);
         string version = ReadVersion(ref reader);
         ulong sceneHash = reader.Bits(8);
         double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
@@ -91,6 +90,19 @@ internal static class RecordingBytes
             if (kicks[i].Ball >= start.Length)
             {
                 throw ByteReader.Broken("a ball is kicked that there is not");
+            }
+        }
+
+        if (hasPlaces)
+        {
+            kicks.ReadPlaces(ref reader);
+        }
+
+        for (int i = 0; i < kicks.PlaceCount; i++)
+        {
+            if (kicks.PlaceAt(i).Ball >= start.Length)
+            {
+                throw ByteReader.Broken("a ball is placed that there is not");
             }
         }
 
@@ -127,16 +139,19 @@ internal static class RecordingBytes
         return recording;
     }
 
-    private static void ReadFormat(ref ByteReader reader)
+    /// <summary>Reads the format; returns true if it contains restarts.</summary>
+    private static bool ReadFormat(ref ByteReader reader)
     {
         ulong format = reader.Bits(5);
-        if (format != Format)
+        if (format is not (Format or FormatWithoutPlaces))
         {
             // The message shows the last character only if it is a digit: any other may control a terminal.
             throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat && format >> 32 is >= '0' and <= '9'
-                ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4"
+                ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4 and FBSG5"
                 : "a recording does not start like this");
         }
+
+        return format == Format;
     }
 
     private static string ReadVersion(ref ByteReader reader)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using FootballPhysics.Contacts;
 using FootballPhysics.Game;
 using FootballPhysics.Numerics;
@@ -5,10 +6,11 @@ using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>
+/// <summary>Stores the last states of a runner, and resimulates them when an input arrives late or was mispredicted.</summary>
 /// <remarks>
+/// The result depends on the set of inputs, not on their order of arrival, and an input that arrives twice changes nothing.
 /// The state is stored at every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state
-/// is set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. These positions come from
+/// is set from outside, the history restarts there; a <see cref="PlaceInput"/> keeps it. Resimulation needs the past positions of the game's bodies. These positions come from
 /// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws without
 /// <see cref="FixedStepRunner.MoveBodies"/>. A rollback allocates only when events, kicks or positions outgrow their buffers.
 /// </remarks>
@@ -16,6 +18,10 @@ public sealed class Rollback
 {
     private readonly BallState[] _states;
     private readonly RigidMotion[] _motions;
+    private readonly RigidMotion[] _moved;
+
+    /// <summary>True for the states that were given for their tick, as by a server: earlier inputs do not change them.</summary>
+    private readonly bool[] _given;
     private readonly PlacementLog? _bodies;
     private readonly PlacementLog _waiting = new();
     private readonly BallState[] _from;
@@ -23,6 +29,8 @@ public sealed class Rollback
     private readonly int _movers;
     private readonly int _ticks;
     private long _bodiesMoved = -1;
+    private long _began;
+
     /// <summary>The first difference found by the last resimulation.</summary>
     private StateDifference? _difference;
 
@@ -46,9 +54,11 @@ public sealed class Rollback
 
         // Ring buffers with one slot for each of the last ticks and one for the present: tick t is stored at t mod (ticks + 1).
         _states = new BallState[(ticks + 1) * _balls];
+        _given = new bool[_states.Length];
         _motions = new RigidMotion[(ticks + 1) * _movers];
+        _moved = new RigidMotion[_movers];
         _from = new BallState[_balls];
-        runner.History = this;
+        runner.Rollback = this;
         Begin(runner.Tick);
     }
 
@@ -86,7 +96,7 @@ public sealed class Rollback
     }
 
     /// <summary>Adds or replaces a kick, and resimulates the steps since its tick.</summary>
-    /// <remarks>The new kick replaces any kick with the same player, tick and ball.</remarks>
+    /// <remarks>The new kick replaces any kick with the same player, tick and ball. If the log already has the same kick, nothing is resimulated.</remarks>
     /// <param name="kick">The kick; its tick is <see cref="OldestTick"/> or later. A future kick waits for its tick.</param>
     /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is no longer stored; nothing has changed.</exception>
@@ -94,12 +104,38 @@ public sealed class Rollback
     /// changed.</exception>
     public long? ApplyKick(in KickInput kick)
     {
-        Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
+        RefuseForgotten("kick.tick", kick.Tick);
+        if (IsPlayed(kick.Tick, Runner.Kicks.Has(in kick)))
+        {
+            return null;
+        }
+
         RefuseUnknownPlaces(kick.Tick);
 
         // The log rejects a ball that the runner does not have, before anything changes.
         Runner.Kicks.Add(in kick);
         return PlayAgain(kick.Tick);
+    }
+
+    /// <summary>Adds or replaces a restart, and resimulates the steps since its tick.</summary>
+    /// <remarks>The new restart replaces any restart with the same player, tick and ball, and removes no kick. If the log already has the same restart, nothing
+    /// is resimulated.</remarks>
+    /// <param name="place">The restart; its tick is <see cref="OldestTick"/> or later. A future restart waits for its tick.</param>
+    /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is no longer stored; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
+    public long? ApplyPlace(in PlaceInput place)
+    {
+        RefuseForgotten("place.tick", place.Tick);
+        if (IsPlayed(place.Tick, Runner.Kicks.Has(in place)))
+        {
+            return null;
+        }
+
+        RefuseUnknownPlaces(place.Tick);
+        Runner.Kicks.Add(in place);
+        return PlayAgain(place.Tick);
     }
 
     /// <summary>Removes a mispredicted kick, and resimulates the steps since its tick.</summary>
@@ -112,44 +148,58 @@ public sealed class Rollback
     /// changed.</exception>
     public long? Remove(long tick, int player = 0, int ball = 0)
     {
-        Check.AtLeast(nameof(tick), tick, OldestTick);
+        RefuseForgotten(nameof(tick), tick);
         RefuseUnknownPlaces(tick);
         return Runner.Kicks.Remove(tick, player, ball) ? PlayAgain(tick) : null;
     }
 
+    /// <summary>Removes a mispredicted restart, and resimulates the steps since its tick.</summary>
+    /// <inheritdoc cref="Remove"/>
+    /// <returns>The first tick whose state changed; null if all are bit-identical, or there was no such restart.</returns>
+    public long? RemovePlace(long tick, int player = 0, int ball = 0)
+    {
+        RefuseForgotten(nameof(tick), tick);
+        RefuseUnknownPlaces(tick);
+        return Runner.Kicks.RemovePlace(tick, player, ball) ? PlayAgain(tick) : null;
+    }
+
     /// <summary>Sets the state at a tick, for instance from a server, and resimulates the following steps.</summary>
+    /// <remarks>The state holds at its tick: an earlier input that arrives later changes only the ticks before it.</remarks>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <param name="state">The state at the start of the tick.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not stored, there is no such ball, or no ball of this scene can have the state;
     /// nothing has changed.</exception>
-    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or its time differs from that of the other balls; nothing has
-    /// changed.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or its time is not that of the tick; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
     /// changed.</exception>
     public long? ApplyServerState(long tick, in BallState state, int ball = 0)
     {
         BallState before = StateAt(tick, ball);
-        if (Snapshot.Same(in before, in state))
+        BallState.Launched(in state);
+
+        // The balls of a group have one clock. A single ball has that of the server, which may be rounded: see WireForm.
+        double rounding = _balls > 1 ? 0 : WireForm.ClockRounding * (1 + before.Time);
+        if (!(Math.Abs(state.Time - before.Time) <= rounding))
         {
-            return null;
+            throw new ArgumentException(FormattableString.Invariant($"state.time is {state.Time:R}; allowed: {before.Time:R}, the time of tick {tick}."), nameof(state));
         }
 
-        BallState.Launched(in state);
         Runner.SimulatorOf(ball).Validate(in state);
-        return Put(tick, in state, ball);
+        bool isNew = !Snapshot.Same(in before, in state);
+        if (isNew)
+        {
+            Put(tick, in state, ball);
+        }
+
+        _given[PlaceOf(tick) + ball] = true;
+        return isNew ? tick : null;
     }
 
     /// <summary>Sets a validated state, and resimulates the following steps.</summary>
-    internal long? Put(long tick, in BallState state, int ball)
+    internal void Put(long tick, in BallState state, int ball)
     {
-        BallState before = StateAt(tick, ball);
-        if (_balls > 1 && state.Time != before.Time)
-        {
-            throw new ArgumentException(FormattableString.Invariant($"state.time is {state.Time:R}; allowed: {before.Time:R}, the time of the other balls."), nameof(state));
-        }
-
         RefuseUnknownPlaces(tick);
 
         // Store the state in the ring buffer, because PlayAgain starts from there.
@@ -165,7 +215,6 @@ public sealed class Rollback
         }
 
         PlayAgain(tick);
-        return tick;
     }
 
     /// <summary>Resimulates from a tick after changes to <see cref="FixedStepRunner.Kicks"/> or <see cref="FixedStepRunner.MoveBodies"/>.</summary>
@@ -185,10 +234,10 @@ public sealed class Rollback
     /// <summary>Resimulates the last ticks from a stored state, and compares the results.</summary>
     /// <remarks>
     /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Likely causes are a custom force or
-    /// a body that depends on more than time, or a moving engine collider.
+    /// a body that depends on more than time and ball, or a moving engine collider. If a body differs at the same tick as a ball, the body is reported.
     /// </remarks>
     /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. If fewer ticks are stored, only those are resimulated.</param>
-    /// <returns>The first tick, ball and field that differ; null if all are bit-identical.</returns>
+    /// <returns>The first tick, the ball or body, and the field that differ; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The number of ticks is out of range.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
     /// changed.</exception>
@@ -208,8 +257,11 @@ public sealed class Rollback
         if (!_replays)
         {
             OldestTick = tick;
+            _began = tick;
             _bodies?.RemoveFrom(0);
             _bodiesMoved = -1;
+            Array.Clear(_given, 0, _given.Length);
+            Runner.Kicks.ChangedAt = long.MaxValue;
             Keep(tick);
         }
     }
@@ -225,6 +277,7 @@ public sealed class Rollback
         // Overwrite the oldest slot; body positions before the oldest tick are no longer needed.
         OldestTick = Math.Max(OldestTick, tick - Ticks);
         Array.Copy(Runner.States, 0, _states, PlaceOf(tick), _balls);
+        Array.Clear(_given, PlaceOf(tick), _balls);
         Runner.Simulator.World.ReadMotions(MotionsAt(tick));
         _bodies?.RemoveBefore(OldestTick);
     }
@@ -259,6 +312,30 @@ public sealed class Rollback
 
     private Span<RigidMotion> MotionsAt(long tick) => _motions.AsSpan((int)(tick % (_ticks + 1)) * _movers, _movers);
 
+    /// <summary>True if an input is already part of the simulated ticks, so that applying it again changes nothing.</summary>
+    private bool IsPlayed(long tick, bool isInLog)
+    {
+        bool isPlayed = isInLog && tick < Runner.Kicks.ChangedAt;
+        if (isPlayed)
+        {
+            Events.Clear();
+            _difference = null;
+        }
+
+        return isPlayed;
+    }
+
+    /// <summary>Throws if a tick is no longer stored; the message states the reason.</summary>
+    private void RefuseForgotten(string field, long tick)
+    {
+        if (tick < OldestTick)
+        {
+            throw Check.Refusal(field, tick.ToString(CultureInfo.InvariantCulture), OldestTick == _began
+                ? FormattableString.Invariant($"{OldestTick} or later, because the history begins there: the Rollback was created, or the runner's state was set, at that tick")
+                : FormattableString.Invariant($"{OldestTick} or later, because the Rollback stores {Ticks} ticks; create it with more, or apply a server's state"));
+        }
+    }
+
     /// <summary>Throws if an object moved in the steps to resimulate and its past positions are unknown.</summary>
     private void RefuseUnknownPlaces(long from)
     {
@@ -281,7 +358,7 @@ public sealed class Rollback
         }
     }
 
-    /// <summary>Resimulates from a tick to the present, with the current kicks; returns the first tick that differs.</summary>
+    /// <summary>Resimulates from a tick to the present, with the current inputs; returns the first tick that differs.</summary>
     private long? PlayAgain(long from)
     {
         Events.Clear();
@@ -302,10 +379,12 @@ public sealed class Rollback
             bodies.ForgetTimes();
         }
 
+        KickLog inputs = Runner.Kicks;
+        inputs.ChangedAt = from <= inputs.ChangedAt ? long.MaxValue : inputs.ChangedAt;
         _replays = true;
         try
         {
-            // Restore the bodies, then the balls, at this tick, and simulate from there with the current kicks.
+            // Restore the bodies, then the balls, at this tick, and simulate from there with the current inputs.
             world.WriteMotions(MotionsAt(from));
             Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
             Runner.GoTo(from, _from);
@@ -313,6 +392,10 @@ public sealed class Rollback
             {
                 Runner.Step();
                 Events.Add(Runner.Events);
+                PutGivenStates();
+                world.ReadMotions(_moved);
+                _difference ??= MotionFields.Difference(Runner.Tick, world, MotionsAt(Runner.Tick), _moved);
+                _moved.AsSpan().CopyTo(MotionsAt(Runner.Tick));
 
                 // Store the new results, and remember the first tick that differs.
                 bool same = true;
@@ -328,7 +411,6 @@ public sealed class Rollback
                     kept = Runner.States[i];
                 }
 
-                world.ReadMotions(MotionsAt(Runner.Tick));
                 first ??= same ? null : Runner.Tick;
             }
         }
@@ -344,5 +426,22 @@ public sealed class Rollback
         }
 
         return first;
+    }
+
+    /// <summary>Restores the states that were given for the present tick, which the steps before it do not change.</summary>
+    private void PutGivenStates()
+    {
+        int place = PlaceOf(Runner.Tick);
+        bool differs = false;
+        for (int i = 0; i < _balls; i++)
+        {
+            _from[i] = _given[place + i] ? _states[place + i] : Runner.States[i];
+            differs |= _given[place + i] && !Snapshot.Same(in _from[i], in Runner.States[i]);
+        }
+
+        if (differs)
+        {
+            Runner.GoTo(Runner.Tick, _from);
+        }
     }
 }

@@ -32,7 +32,7 @@ internal static class WireForm
     private const int MostRounds = 4;
 
     /// <summary>The tolerance of the clock against a tick, relative to 1 s plus the time; a clock that is farther off is left unchanged.</summary>
-    private const double ClockRounding = 1e-9;
+    public const double ClockRounding = 1e-9;
 
     /// <summary>Rounds all balls of a runner, or none.</summary>
     public static void Round(FixedStepRunner runner)

@@ -75,4 +75,23 @@ public sealed class TrajectoryCache
         _valid = true;
         return false;
     }
+
+    /// <summary>Repeats the updates from the state at which the path was last recomputed up to a later time, as a rollback requires.</summary>
+    /// <param name="start">The state at which the path was recomputed.</param>
+    /// <param name="time">The time of the last update, in s.</param>
+    internal void Repeat(in BallState start, double time)
+    {
+        _valid = false;
+        _simulator.LookAheadInWholeSteps(in start, _request, Path);
+
+        // Extend the path in parts, so that it fits into the memory that sufficed before.
+        for (double at = start.Time; at < time && Path.EndsWhole;)
+        {
+            Path.Forget(at);
+            at = Math.Min(time, at + (0.5 * _request.Duration));
+            _simulator.Extend(Path, at + _request.Duration, _request.TimeStep, _request.StopAt);
+        }
+
+        _valid = true;
+    }
 }

@@ -46,6 +46,9 @@ internal sealed class ObstacleMotions
     /// <summary>Returns the placement of an obstacle; null if its mass is infinite.</summary>
     public Placement? Of(int obstacle) => _placements[obstacle];
 
+    /// <summary>Returns the name of the obstacle with the given movable index.</summary>
+    public string NameOf(int movable) => _obstacles[_movable[movable]].Name;
+
     /// <summary>Changes the velocity of one obstacle in an impact.</summary>
     public void Push(Placement placement, in Vector3d velocity, double time)
     {

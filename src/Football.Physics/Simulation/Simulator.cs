@@ -159,6 +159,20 @@ public sealed class Simulator
         state = kicked;
     }
 
+    /// <summary>Places a ball at a given time. The values are already validated.</summary>
+    internal BallState Placed(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
+    {
+        BallState placed = Start(in position, in velocity, in spin, in orientation, time);
+
+        // If rolling friction cannot hold the ball on a slope or against the wind, the ball rolls away.
+        if (placed.Motion == MotionState.Rolling && velocity == Vector3d.Zero && spin == Vector3d.Zero && RestsAt(in placed))
+        {
+            placed.Motion = MotionState.Rest;
+        }
+
+        return placed;
+    }
+
     /// <summary>Transfers a ball from another scene to this one. It keeps its position, its motion, and its nets and goals.</summary>
     /// <param name="old">The simulator of the other scene.</param>
     /// <param name="state">The ball in the other scene.</param>

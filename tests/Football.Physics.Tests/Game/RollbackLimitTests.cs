@@ -32,9 +32,12 @@ public sealed class RollbackLimitTests
             Refused($"ball is {ball}", () => rollback.ApplyServerState(25, runner.State, ball));
         }
 
-        Refused("kick is 19", () => rollback.ApplyKick(new KickInput(19, default, default)));
+        Refused("kick.tick is 19; allowed: 20 or later, because the Rollback stores 10 ticks; create it with more", () => rollback.ApplyKick(new KickInput(19, default, default)));
+        Refused("place.tick is 19; allowed: 20 or later", () => rollback.ApplyPlace(new PlaceInput(19, 0, 0, default)));
+        Refused("place.ball is 3", () => rollback.ApplyPlace(new PlaceInput(25, 0, 3, default)));
         Refused("kick.ball is 3", () => rollback.ApplyKick(new KickInput(25, default, default, ball: 3)));
         Refused("tick is 19", () => rollback.Remove(19));
+        Refused("tick is 19", () => rollback.RemovePlace(19));
         Refused("ticks is 0", () => rollback.SyncTest(0));
         Refused("ticks is 11", () => rollback.SyncTest(11));
         Assert.Equal((3, before), (runner.Kicks.Count, Snapshot.Hash(runner.States)));
@@ -57,15 +60,22 @@ public sealed class RollbackLimitTests
         Assert.Equal(before, rollback.HashAt(8));
         Assert.Null(rollback.SyncTest(8));
 
-        // A single ball may have a clock of its own.
+        // A single ball may have the server's clock, which rounding moves, but not that of another tick.
         var alone = new FixedStepRunner(timeStep: TimeStep);
         var history = new Rollback(alone);
         alone.QueueKick(new Vector3d(0, 5, -5), default);
         Play(alone, 8);
-        BallState later = history.StateAt(5);
-        later.Time += 7;
-        Assert.Equal(5, history.ApplyServerState(5, in later));
-        Assert.Equal(7 + (8 * TimeStep), alone.Time, 1e-12);
+        foreach (double off in new[] { TimeStep, -TimeStep, -history.StateAt(5).Time, 7, 1e-6, double.NaN })
+        {
+            BallState wrongClock = history.StateAt(5);
+            wrongClock.Time += off;
+            Assert.Contains("the time of tick 5", Assert.Throws<ArgumentException>(() => history.ApplyServerState(5, in wrongClock)).Message, StringComparison.Ordinal);
+        }
+
+        BallState rounded = history.StateAt(5);
+        rounded.Time = Math.BitIncrement(rounded.Time);
+        Assert.Equal(5, history.ApplyServerState(5, in rounded));
+        Assert.Equal(8 * TimeStep, alone.Time, 1e-12);
     }
 
     /// <summary>At every depth and for every ball: the state of the server gives the bits of a match in which that ball had it from the start.</summary>

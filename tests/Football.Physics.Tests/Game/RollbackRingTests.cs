@@ -59,7 +59,7 @@ public sealed class RollbackRingTests
     }
 
     [Fact]
-    public void Frames_are_followed_and_places_begin_anew()
+    public void Frames_are_followed_and_a_state_from_outside_begins_a_new_history()
     {
         var runner = new FixedStepRunner();
         var rollback = new Rollback(runner, ticks: 8);
@@ -70,8 +70,10 @@ public sealed class RollbackRingTests
         Assert.Throws<ArgumentOutOfRangeException>(() => rollback.StateAt(11));
         Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ApplyKick(new KickInput(11, default, default)));
         Assert.Null(rollback.ApplyKick(new KickInput(30, new Vector3d(1, 0, 0), default)));
-        runner.Place(new Vector3d(1, 1, 1));
+        runner.Restore(20, runner.State);
         Assert.Equal(20, rollback.OldestTick);
+        string message = Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ApplyKick(new KickInput(19, default, default))).Message;
+        Assert.StartsWith("kick.tick is 19; allowed: 20 or later, because the history begins there", message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -35,6 +35,40 @@ public sealed class SyncTestTests
         Assert.NotEqual(found.Value.Expected, found.Value.Actual);
     }
 
+    /// <summary>A keeper whom the game moves outside MoveBodies, or a callback that remembers: the body is named, before the ball that it hits.</summary>
+    [Fact]
+    public void A_body_that_is_elsewhere_is_named()
+    {
+        var bodies = new KinematicBodies();
+        bodies.Add("left foot", BodyKind.Boot);
+        KinematicBody keeper = bodies.Add("keeper", BodyKind.Player);
+        double calls = 0;
+        var runner = new FixedStepRunner(new Simulator(new Scene { Bodies = bodies })) { MoveBodies = time => keeper.MoveTo(new Vector3d(0, 0.9, -1e-3 * ++calls), default, time) };
+        var rollback = new Rollback(runner);
+        for (int i = 0; i < 5; i++)
+        {
+            runner.Step();
+        }
+
+        StateDifference found = rollback.SyncTest(3)!.Value;
+        Assert.Equal((3L, -1, 1, "keeper", "position.z"), (found.Tick, found.Ball, found.Body, found.BodyName, found.Field));
+        Assert.StartsWith("tick 3, body 1 (keeper), position.z: -0.003 and -0.006, ", found.ToString(), StringComparison.Ordinal);
+
+        // If a ball differs first, the ball is reported, although it pushes the bag differently later.
+        var pushed = new FixedStepRunner(new Simulator(new Scene { Obstacles = [new Obstacle { Name = "bag", Shape = new SphereShape(new Vector3d(0, 0.3, -1), 0.3), Mass = 4 }] }));
+        rollback = new Rollback(pushed, 60);
+        pushed.QueueKick(20, new Vector3d(0, 0.05, -1));
+        while (pushed.Tick < 30)
+        {
+            pushed.Step();
+        }
+
+        Assert.Null(rollback.SyncTest(30));
+        pushed.Kicks.Add(new KickInput(0, new Vector3d(0, 1, -10), default));
+        found = rollback.SyncTest(30)!.Value;
+        Assert.Equal((0, -1, (string?)null), (found.Ball, found.Body, found.BodyName));
+    }
+
     [Theory]
     [InlineData("position.y")]
     [InlineData("velocity.z")]

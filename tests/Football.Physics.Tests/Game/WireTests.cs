@@ -168,15 +168,26 @@ public sealed class WireTests
     }
 
     [Fact]
-    public void Rounding_at_other_ticks_is_another_match_and_ends_a_recording()
+    public void Rounding_at_other_ticks_is_refused_while_a_recording_or_a_rollback_repeats_past_ticks()
     {
         FixedStepRunner runner = Match();
         Recording segment = runner.Record();
         runner.QuantizationInterval = segment.QuantizationInterval;
         Assert.Same(segment, runner.Recording);
+        Assert.Contains("during a recording", Assert.Throws<InvalidOperationException>(() => runner.QuantizationInterval = 1).Message, StringComparison.Ordinal);
+        Assert.Equal((6, segment), (runner.QuantizationInterval, runner.Recording));
+        runner.StopRecording();
         runner.QuantizationInterval = 1;
-        Assert.Null(runner.Recording);
-        Assert.Equal(6, segment.QuantizationInterval);
+        var rollback = new Rollback(runner);
+        runner.Step();
+        foreach (int other in new[] { 0, 2, 6 })
+        {
+            Assert.Contains("a Rollback is attached", Assert.Throws<InvalidOperationException>(() => runner.QuantizationInterval = other).Message, StringComparison.Ordinal);
+        }
+
+        runner.QuantizationInterval = 1;
+        runner.Step();
+        Assert.Null(rollback.SyncTest(2));
     }
 
     [Fact]

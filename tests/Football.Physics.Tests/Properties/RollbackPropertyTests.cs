@@ -116,6 +116,76 @@ public sealed class RollbackPropertyTests
             },
             iter: Plays);
 
+    /// <summary>A set of kicks and restarts, of which some arrive twice: any order of arrival ends in the same bits.</summary>
+    [Fact]
+    public void Any_order_of_arrival_of_kicks_and_restarts_ends_in_the_same_bits() =>
+        Gen.Select(s_call.Array[1, 16], Gen.Int[0, 1_000_000]).Sample(
+            (calls, seed) =>
+            {
+                // One input for each tick, player and ball, as a log has them; few ticks, so that many share one.
+                const int Ticks = Ring - 2;
+                var kicks = new Dictionary<(long, int, int), KickInput>();
+                var places = new Dictionary<(long, int, int), PlaceInput>();
+                for (int i = 0; i < calls.Length; i++)
+                {
+                    Call call = calls[i];
+                    (long Tick, int Player, int Ball) key = (call.Number % 7 * 3, i % 3, call.Kind % 2);
+                    if (call.Kind < 4)
+                    {
+                        kicks[key] = new KickInput(key.Tick, call.Velocity, call.Spin, key.Player, key.Ball);
+                    }
+                    else
+                    {
+                        places[key] = new PlaceInput(key.Tick, key.Player, key.Ball, 0.2 * call.Velocity, 0.1 * call.Spin, call.Spin, new Quaterniond(0, call.Number, 0, 1));
+                    }
+                }
+
+                FixedStepRunner straight = Match();
+                foreach (KickInput kick in kicks.Values)
+                {
+                    straight.Kicks.Add(in kick);
+                }
+
+                foreach (PlaceInput place in places.Values)
+                {
+                    straight.Kicks.Add(in place);
+                }
+
+                while (straight.Tick < Ticks)
+                {
+                    straight.Step();
+                }
+
+                for (int order = 0; order < 3; order++)
+                {
+                    var random = new Random(seed + order);
+                    FixedStepRunner runner = Match();
+                    var rollback = new Rollback(runner, Ring);
+                    List<Action> arrivals =
+                    [
+                        .. kicks.Values.Select(kick => (Action)(() => rollback.ApplyKick(in kick))),
+                        .. places.Values.Select(place => (Action)(() => rollback.ApplyPlace(in place))),
+                        .. Enumerable.Repeat<Action>(runner.Step, Ticks),
+                    ];
+                    arrivals.AddRange(arrivals[..(kicks.Count + places.Count)].Where(_ => random.Next(3) == 0));
+                    Action[] shuffled = [.. arrivals];
+                    random.Shuffle(shuffled);
+                    foreach (Action arrive in shuffled)
+                    {
+                        arrive();
+                    }
+
+                    for (int ball = 0; ball < runner.Balls; ball++)
+                    {
+                        Assert.Equal(Bytes(straight.StateOf(ball)), Bytes(runner.StateOf(ball)));
+                    }
+
+                    Assert.Equal(straight.Kicks.ToBytes(), runner.Kicks.ToBytes());
+                    Assert.Null(rollback.SyncTest(Ticks));
+                }
+            },
+            iter: Plays);
+
     private static FixedStepRunner Match()
     {
         Scene scene = Scene.Default with

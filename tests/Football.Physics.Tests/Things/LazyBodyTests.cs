@@ -41,8 +41,8 @@ public sealed class LazyBodyTests
         {
             var played = new Played(Scene.Default, 3, isRead);
             var runner = new FixedStepRunner(played.Simulator);
-            var rollback = new Rollback(runner, 30);
             runner.Place(new Vector3d(0, 1, 0));
+            var rollback = new Rollback(runner, 30);
             for (int tick = 0; tick < 90; tick++)
             {
                 if (tick % 30 == 5)

@@ -23,6 +23,7 @@ public partial class FootballBall : Node3D
 
     private FootballScene? _scene;
     private FixedStepRunner? _runner;
+    private Action<double>? _moveKeepers;
     private MeshInstance3D? _skin;
     private Basis _start = Basis.Identity;
     private Vector3 _drawnAt;
@@ -70,12 +71,21 @@ public partial class FootballBall : Node3D
     /// <summary>Kicks the ball as the editor shows it.</summary>
     public void KickAsPreviewed() => Kick(KickSpeed, KickDirection, KickTopSpin, KickSideSpin);
 
-    /// <summary>Places the ball at rest.</summary>
+    /// <summary>Places the ball at rest. While a rollback is attached to the runner, this is a PlaceInput of the next step, and the clock continues.</summary>
     public void Place(Vector3 position)
     {
+        if (Runner.Rollback is not null)
+        {
+            Runner.QueuePlace(GodotFrame.FromGodot(position));
+            return;
+        }
+
         Runner.Place(GodotFrame.FromGodot(position));
         Draw(1.0);
     }
+
+    /// <summary>Moves the keepers at the start of a step. Call it if you set MoveBodies of the runner yourself, for instance to move Godot's bodies in a rollback.</summary>
+    public void MoveKeepers() => _scene!.Stage.BeforeStep(Runner);
 
     /// <summary>Applies changes to the ball, its preset or the tree at once. Otherwise they take effect before the next step.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name. The ball keeps its previous settings.</exception>
@@ -145,7 +155,12 @@ public partial class FootballBall : Node3D
 
         // The positions of Godot's bodies hold at this time, on the clock of the ball.
         _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
-        _scene.Stage.BeforeStep(runner.State);
+        MoveKeepersInSteps(runner);
+        if (runner.MoveBodies is null)
+        {
+            MoveKeepers();
+        }
+
         runner.Step();
         _scene.Stage.AfterStep(runner.State);
         for (int i = 0; i < runner.Events.Count; i++)
@@ -178,6 +193,17 @@ public partial class FootballBall : Node3D
 
         Draw(Engine.GetPhysicsInterpolationFraction());
         _scene!.Draw();
+    }
+
+    /// <summary>Moves the keepers in MoveBodies, so that a rollback moves them again in each step that it repeats.</summary>
+    /// <remarks>With moving bodies of Godot, the node does not do so: only the game can move those back in time, and a rollback throws until it does.</remarks>
+    private void MoveKeepersInSteps(FixedStepRunner runner)
+    {
+        if (runner.MoveBodies is null || ReferenceEquals(runner.MoveBodies, _moveKeepers))
+        {
+            _moveKeepers ??= _ => MoveKeepers();
+            runner.MoveBodies = HitMask == 0 || !(GreatestSpeed > 0) ? _moveKeepers : null;
+        }
     }
 
     private FootballScene NewScene() => new(Preset, HitMask, GreatestSpeed, HitMask == 0 ? null : GetWorld3D().DirectSpaceState);

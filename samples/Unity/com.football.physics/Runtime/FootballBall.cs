@@ -44,6 +44,7 @@ namespace FootballPhysics.Unity
 
         private FootballScene _scene;
         private FixedStepRunner _runner;
+        private Action<double> _moveKeepers;
         private int _stamp;
         private double _elapsed;
         private long _steps;
@@ -112,11 +113,23 @@ namespace FootballPhysics.Unity
             Kick(kick.speed, kick.Direction, kick.topSpin, kick.sideSpin);
         }
 
-        /// <summary>Places the ball at rest.</summary>
+        /// <summary>Places the ball at rest. While a rollback is attached to the runner, this is a PlaceInput of the next step, and the clock continues.</summary>
         public void Place(Vector3 position)
         {
+            if (Runner.Rollback != null)
+            {
+                Runner.QueuePlace(UnityFrame.FromUnity(position));
+                return;
+            }
+
             Runner.Place(UnityFrame.FromUnity(position));
             Draw(1.0);
+        }
+
+        /// <summary>Moves the keepers at the start of a step. Call it if you set MoveBodies of the runner yourself, for instance to move Unity's colliders in a rollback.</summary>
+        public void MoveKeepers()
+        {
+            _scene.Stage.BeforeStep(Runner);
         }
 
         /// <summary>Applies changes to the ball, its preset or the scene at once. Otherwise they take effect before the next step.</summary>
@@ -196,7 +209,12 @@ namespace FootballPhysics.Unity
                 _scene.CollidersAreAt(_runner.State.Time);
                 while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
                 {
-                    _scene.Stage.BeforeStep(_runner.State);
+                    MoveKeepersInSteps();
+                    if (_runner.MoveBodies == null)
+                    {
+                        MoveKeepers();
+                    }
+
                     _runner.Step();
                     _steps++;
                     _scene.Stage.AfterStep(_runner.State);
@@ -255,7 +273,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Continues from this tick with another step length, and keeps the pending kicks.</summary>
+        /// <summary>Continues from this tick with another step length, and keeps the pending kicks and places.</summary>
         private void StepBy(double timeStep)
         {
             if (_runner.TimeStep == timeStep)
@@ -271,9 +289,29 @@ namespace FootballPhysics.Unity
                 runner.Kicks.Add(new KickInput(waiting.Tick - _runner.Tick, waiting.Velocity, waiting.Spin, waiting.Player));
             }
 
+            for (int i = _runner.Kicks.FirstPlaceAt(_runner.Tick); i < _runner.Kicks.PlaceCount; i++)
+            {
+                PlaceInput waiting = _runner.Kicks.PlaceAt(i);
+                runner.Kicks.Add(new PlaceInput(waiting.Tick - _runner.Tick, waiting.Player, 0, waiting.Position, waiting.Velocity, waiting.Spin, waiting.Orientation));
+            }
+
+            // Keep the callback of the game.
+            runner.MoveBodies = _runner.MoveBodies;
+
             _runner = runner;
             _elapsed = 0.0;
             _steps = 0;
+        }
+
+        /// <summary>Moves the keepers in MoveBodies, so that a rollback moves them again in each step that it repeats.</summary>
+        /// <remarks>With moving colliders of Unity, the component does not do so: only the game can move those back in time, and a rollback throws until it does.</remarks>
+        private void MoveKeepersInSteps()
+        {
+            if (_runner.MoveBodies == null || ReferenceEquals(_runner.MoveBodies, _moveKeepers))
+            {
+                _moveKeepers ??= _ => MoveKeepers();
+                _runner.MoveBodies = hits.value == 0 || greatestSpeed <= 0f ? _moveKeepers : null;
+            }
         }
 
         private void BeKinematic()

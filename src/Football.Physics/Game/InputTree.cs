@@ -1,22 +1,24 @@
 namespace FootballPhysics.Game;
 
-/// <summary>Kicks sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
+/// <summary>Inputs sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
 /// <remarks>An AVL tree in arrays; each node stores the size of its subtree. It allocates only to grow.</remarks>
-internal sealed class KickTree(int capacity)
+/// <typeparam name="T">The type of the inputs.</typeparam>
+internal sealed class InputTree<T>(int capacity)
+    where T : struct, IMatchInput<T>
 {
     private const int None = -1;
 
-    private KickInput[] _kicks = new KickInput[capacity];
+    private T[] _inputs = new T[capacity];
     private Node[] _nodes = new Node[capacity];
     private int _root = None;
     private int _free = None;
     private int _made;
 
-    /// <summary>The number of kicks.</summary>
+    /// <summary>The number of inputs.</summary>
     public int Count => CountOf(_root);
 
-    /// <summary>Returns the kick at an index in sorted order.</summary>
-    public ref readonly KickInput At(int index)
+    /// <summary>Returns the input at an index in sorted order.</summary>
+    public ref readonly T At(int index)
     {
         int node = _root;
         while (true)
@@ -24,7 +26,7 @@ internal sealed class KickTree(int capacity)
             int before = CountOf(_nodes[node].Left);
             if (index == before)
             {
-                return ref _kicks[node];
+                return ref _inputs[node];
             }
 
             node = index < before ? _nodes[node].Left : _nodes[node].Right;
@@ -32,13 +34,13 @@ internal sealed class KickTree(int capacity)
         }
     }
 
-    /// <summary>Returns the number of kicks before (tick, player, ball).</summary>
+    /// <summary>Returns the number of inputs before (tick, player, ball).</summary>
     public int CountBefore(long tick, int player, int ball)
     {
         int count = 0;
         for (int node = _root; node != None;)
         {
-            bool isBefore = _kicks[node].Order(tick, player, ball) < 0;
+            bool isBefore = Order(in _inputs[node], tick, player, ball) < 0;
             count += isBefore ? CountOf(_nodes[node].Left) + 1 : 0;
             node = isBefore ? _nodes[node].Right : _nodes[node].Left;
         }
@@ -46,11 +48,26 @@ internal sealed class KickTree(int capacity)
         return count;
     }
 
-    /// <summary>Adds a kick, or replaces the one with the same tick, player and ball.</summary>
-    public void Put(in KickInput kick) => _root = Put(_root, in kick);
+    /// <summary>Compares an input with a key by tick, then player, then ball.</summary>
+    public static int Order(in T input, long tick, int player, int ball)
+    {
+        int byTick = input.Tick.CompareTo(tick);
+        int byPlayer = input.Player.CompareTo(player);
+        return byTick != 0 ? byTick : byPlayer != 0 ? byPlayer : input.Ball.CompareTo(ball);
+    }
 
-    /// <summary>Removes a kick.</summary>
-    /// <returns>True if there was such a kick.</returns>
+    /// <summary>True if the tree has this input, with the same bits.</summary>
+    public bool Has(in T input)
+    {
+        int index = CountBefore(input.Tick, input.Player, input.Ball);
+        return index < Count && Order(in At(index), input.Tick, input.Player, input.Ball) == 0 && input.IsSame(in At(index));
+    }
+
+    /// <summary>Adds an input, or replaces the one with the same tick, player and ball.</summary>
+    public void Put(in T input) => _root = Put(_root, in input);
+
+    /// <summary>Removes an input.</summary>
+    /// <returns>True if there was such an input.</returns>
     public bool Remove(long tick, int player, int ball)
     {
         int before = Count;
@@ -58,7 +75,7 @@ internal sealed class KickTree(int capacity)
         return Count < before;
     }
 
-    /// <summary>Removes the first <c>count</c> kicks.</summary>
+    /// <summary>Removes the first <c>count</c> inputs.</summary>
     public void RemoveFirst(int count)
     {
         for (int i = 0; i < count; i++)
@@ -68,7 +85,7 @@ internal sealed class KickTree(int capacity)
         }
     }
 
-    /// <summary>Removes all kicks, but keeps the capacity.</summary>
+    /// <summary>Removes all inputs, but keeps the capacity.</summary>
     public void Clear()
     {
         _root = None;
@@ -80,37 +97,37 @@ internal sealed class KickTree(int capacity)
 
     private int HeightOf(int node) => node == None ? 0 : _nodes[node].Height;
 
-    /// <summary>Adds or replaces a kick in a subtree, and returns its new root.</summary>
-    private int Put(int node, in KickInput kick)
+    /// <summary>Adds or replaces an input in a subtree, and returns its new root.</summary>
+    private int Put(int node, in T input)
     {
         if (node == None)
         {
-            return Make(in kick);
+            return Make(in input);
         }
 
-        int order = _kicks[node].Order(kick.Tick, kick.Player, kick.Ball);
+        int order = Order(in _inputs[node], input.Tick, input.Player, input.Ball);
         if (order == 0)
         {
-            _kicks[node] = kick;
+            _inputs[node] = input;
             return node;
         }
 
         // The call may reallocate the arrays: keep no reference across it.
         if (order > 0)
         {
-            int left = Put(_nodes[node].Left, in kick);
+            int left = Put(_nodes[node].Left, in input);
             _nodes[node].Left = left;
         }
         else
         {
-            int right = Put(_nodes[node].Right, in kick);
+            int right = Put(_nodes[node].Right, in input);
             _nodes[node].Right = right;
         }
 
         return Balance(node);
     }
 
-    /// <summary>Removes a kick from a subtree, and returns its new root.</summary>
+    /// <summary>Removes an input from a subtree, and returns its new root.</summary>
     private int Remove(int node, long tick, int player, int ball)
     {
         if (node == None)
@@ -118,7 +135,7 @@ internal sealed class KickTree(int capacity)
             return None;
         }
 
-        int order = _kicks[node].Order(tick, player, ball);
+        int order = Order(in _inputs[node], tick, player, ball);
         if (order > 0)
         {
             _nodes[node].Left = Remove(_nodes[node].Left, tick, player, ball);
@@ -137,7 +154,7 @@ internal sealed class KickTree(int capacity)
                 return left;
             }
 
-            // The next kick in the sort order replaces this node.
+            // The next input in the sort order replaces this node.
             right = TakeFirst(right, out int next);
             _nodes[next].Left = left;
             _nodes[next].Right = right;
@@ -159,7 +176,7 @@ internal sealed class KickTree(int capacity)
         return Balance(node);
     }
 
-    private int Make(in KickInput kick)
+    private int Make(in T input)
     {
         int node = _free;
         if (node != None)
@@ -170,14 +187,14 @@ internal sealed class KickTree(int capacity)
         {
             if (_made == _nodes.Length)
             {
-                Array.Resize(ref _kicks, 2 * _made);
+                Array.Resize(ref _inputs, 2 * _made);
                 Array.Resize(ref _nodes, 2 * _made);
             }
 
             node = _made++;
         }
 
-        _kicks[node] = kick;
+        _inputs[node] = input;
         _nodes[node] = new Node { Left = None, Right = None, Count = 1, Height = 1 };
         return node;
     }
