@@ -170,9 +170,7 @@ public sealed class BallScene
     public void BeforeStep(FixedStepRunner runner)
     {
         Check.Given(nameof(runner), runner);
-        KickLog inputs = runner.Kicks;
-        int place = inputs.FirstPlaceAt(runner.Tick);
-        Follow(runner.State, place < inputs.PlaceCount && inputs.PlaceAt(place).Tick == runner.Tick);
+        Follow(runner.State, KeeperDive.IsPlaced(runner));
     }
 
     /// <summary>Moves the keepers to their positions at the start of a step.</summary>

@@ -7,11 +7,12 @@ namespace FootballPhysics.Engines;
 /// <remarks>
 /// <see cref="Interception.FindSave"/> decides if and where he can reach the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
 /// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball.
-/// <para>With a <see cref="Rollback"/>, call <see cref="Follow"/> in <see cref="FixedStepRunner.MoveBodies"/>, so that resimulated steps move him too. When the
-/// clock goes back, he continues from the decisions that he had made by then. The scene for predictions must then contain nothing that moves.
-/// <see cref="Follow"/> allocates only if he decides more often in ten seconds than ever before.</para>
+/// <para>With a <see cref="Rollback"/>, call <see cref="Follow(FixedStepRunner)"/> in <see cref="FixedStepRunner.MoveBodies"/>, so that resimulated steps move him too. When the
+/// clock goes back, he continues from the decisions that he had made by then. The scene for predictions must then contain nothing that moves. The state of the
+/// ball does not contain his decisions: send a peer that joins his bytes too (<see cref="ToBytes"/>, <see cref="Restore"/>).
+/// <see cref="Follow(FixedStepRunner)"/> allocates only if he decides more often in ten seconds than ever before.</para>
 /// </remarks>
-public sealed class KeeperDive
+public sealed partial class KeeperDive
 {
     /// <summary>The duration of his prediction, in s.</summary>
     private const double LooksAhead = 2.5;
@@ -42,6 +43,7 @@ public sealed class KeeperDive
     private const double SamePlace = 0.2;
 
     private readonly KinematicBody _body;
+    private readonly Simulator _ahead;
     private readonly Interception _interception = new();
     private readonly TrajectoryCache _path;
     private readonly Player _abilities;
@@ -71,6 +73,7 @@ public sealed class KeeperDive
         _abilities.Validate();
         goal.Validate(nameof(goal));
         _body = body;
+        _ahead = ahead;
         Goal = goal;
         _feet = feet;
         _home = new Pose(feet + new Vector3d(0, HalfAxis + Radius, 0), Quaterniond.Identity);
@@ -106,8 +109,19 @@ public sealed class KeeperDive
     /// <summary>The position and orientation of his body, for drawing.</summary>
     public BallPose BodyPose => new(_body.Position, _body.Orientation);
 
+    /// <summary>Watches the first ball of a runner and moves his body; call it in <see cref="FixedStepRunner.MoveBodies"/>.</summary>
+    /// <remarks>The scene of the runner may contain bodies that the scene for predictions lacks. A <see cref="PlaceInput"/> of this tick sends him back to his goal.</remarks>
+    /// <param name="runner">The runner.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
+    public void Follow(FixedStepRunner runner)
+    {
+        Check.Given(nameof(runner), runner);
+        BallState ball = _ahead.Continue(runner.Simulator, runner.State);
+        Follow(in ball, IsPlaced(runner));
+    }
+
     /// <summary>Watches the ball and moves his body; call it at the start of every step.</summary>
-    /// <param name="ball">The ball before the step.</param>
+    /// <param name="ball">The ball before the step, in the scene for predictions.</param>
     /// <param name="isPlaced">True if a <see cref="PlaceInput"/> placed the ball at this step: he then stands at his position again. Default false.</param>
     public void Follow(in BallState ball, bool isPlaced = false)
     {
@@ -130,6 +144,14 @@ public sealed class KeeperDive
         }
 
         Put(_now);
+    }
+
+    /// <summary>True if a restart belongs to the tick of a runner.</summary>
+    internal static bool IsPlaced(FixedStepRunner runner)
+    {
+        KickLog inputs = runner.Kicks;
+        int place = inputs.FirstPlaceAt(runner.Tick);
+        return place < inputs.PlaceCount && inputs.PlaceAt(place).Tick == runner.Tick;
     }
 
     /// <summary>Stands at his position, without a decision.</summary>

@@ -14,7 +14,6 @@ internal sealed class PeerMatch
     private readonly KinematicBodies _bodies = new();
     private readonly (Vector3d Middle, double Radius, double Rate)[] _curves;
     private readonly KeeperDive[] _keepers;
-    private readonly Simulator _ahead;
 
     /// <summary>Creates a match.</summary>
     /// <param name="random">The curves of the players; the same on both peers.</param>
@@ -23,7 +22,7 @@ internal sealed class PeerMatch
     {
         Goal[] goals = [.. new[] { -1, 1 }.Select(side => new Goal { Center = new Vector3d(0, 0, side * Length), Facing = new Vector3d(0, 0, -side) })];
         Scene still = Scene.Default with { Goals = goals };
-        _ahead = new Simulator(still);
+        var ahead = new Simulator(still);
         _curves = [.. Enumerable.Range(0, Players).Select(_ =>
             (new Vector3d(random.Uniform(-8, 8), 0, random.Uniform(-9, 9)), random.Uniform(0.3, 3), random.Uniform(-2, 2)))];
         foreach (int i in Enumerable.Range(0, Players))
@@ -31,7 +30,7 @@ internal sealed class PeerMatch
             _bodies.Add($"player {i}", i % 2 == 0 ? BodyKind.Player : BodyKind.Player with { Mass = double.PositiveInfinity });
         }
 
-        _keepers = [.. goals.Select(goal => new KeeperDive(_bodies.Add("keeper", KeeperDive.Kind), goal, _ahead, goal.Center + (0.6 * goal.Facing)))];
+        _keepers = [.. goals.Select(goal => new KeeperDive(_bodies.Add("keeper", KeeperDive.Kind), goal, ahead, goal.Center + (0.6 * goal.Facing)))];
         Runner = new FixedStepRunner(new Simulator(still with { Bodies = _bodies }), Step) { QuantizationInterval = wire, MoveBodies = Move };
     }
 
@@ -50,13 +49,9 @@ internal sealed class PeerMatch
             _bodies[i].MoveTo(middle + (radius * away), radius * rate * new Vector3d(-away.Z, 0, away.X), time);
         }
 
-        KickLog inputs = Runner.Kicks;
-        int place = inputs.FirstPlaceAt(Runner.Tick);
-        bool isPlaced = place < inputs.PlaceCount && inputs.PlaceAt(place).Tick == Runner.Tick;
-        BallState seen = _ahead.Continue(Runner.Simulator, Runner.State);
         foreach (KeeperDive keeper in _keepers)
         {
-            keeper.Follow(in seen, isPlaced);
+            keeper.Follow(Runner);
         }
     }
 }

@@ -1,3 +1,5 @@
+using FootballPhysics.Game;
+
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>A keeper who is moved in MoveBodies: late kicks and restarts end in the bits of a match in which all arrived in time.</summary>
@@ -81,6 +83,80 @@ public sealed class KeeperRollbackTests
         Assert.Null(rollback.SyncTest(500));
         Assert.Null(rollback.SyncTest(1));
         Assert.Equal(0.98, stage.Keepers[0].BodyPose.Position.Y, 2);
+    }
+
+    /// <summary>A state of the ball does not contain his decisions: his own bytes do, also those of an earlier tick and those before his first decision.</summary>
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(5, 0)]
+    [InlineData(26, 0)]
+    [InlineData(26, 14)]
+    [InlineData(45, 30)]
+    [InlineData(120, 20)]
+    public void A_peer_that_joins_restores_his_memory(int tick, int earlier)
+    {
+        (FixedStepRunner runner, BallScene stage) = Match(true);
+        var rollback = new Rollback(runner, 40);
+        runner.Kicks.Add(new KickInput(10, new Vector3d(2.3, 3.4, -21), new Vector3d(0, 20, 0), 1));
+        while (runner.Tick < tick)
+        {
+            runner.Step();
+        }
+
+        long from = tick - earlier;
+        BallState ball = rollback.StateAt(from);
+        byte[] memory = stage.Keepers[0].ToBytes(ball.Time);
+        (FixedStepRunner joined, BallScene other) = Match(true);
+        joined.Kicks.Add(runner.Kicks, 0, long.MaxValue);
+        other.Keepers[0].Restore(memory);
+        joined.Restore(from, in ball);
+        Assert.Equal(memory, other.Keepers[0].ToBytes(ball.Time));
+        while (joined.Tick < 200)
+        {
+            joined.Step();
+            while (runner.Tick < joined.Tick)
+            {
+                runner.Step();
+            }
+
+            if (joined.Tick >= runner.Tick)
+            {
+                Assert.Equal(stage.Keepers[0].BodyPose, other.Keepers[0].BodyPose);
+                Assert.True(Snapshot.Same(runner.State, joined.State), $"{Snapshot.Difference(runner.State, joined.State)}");
+            }
+        }
+
+        Assert.Equal(stage.Keepers[0].Count, other.Keepers[0].Count);
+    }
+
+    [Fact]
+    public void Broken_bytes_of_a_memory_are_refused()
+    {
+        (FixedStepRunner runner, BallScene stage) = Match(true);
+        KeeperDive keeper = stage.Keepers[0];
+        runner.QueueKick(new Vector3d(2.3, 3.4, -21), default);
+        while (runner.Tick < 20)
+        {
+            runner.Step();
+        }
+
+        byte[] bytes = keeper.ToBytes(runner.Time);
+        foreach ((int at, byte value, string reason) in new[]
+        {
+            (0, (byte)'X', "they are not the memory of a keeper"),
+            (7 + Snapshot.Size + 7, (byte)0x7F, "a position of a keeper is out of range"),
+            (7 + Snapshot.Size + 55, (byte)0x41, "an orientation of a keeper is not of length 1"),
+            (bytes.Length - Crc32.Size - 1, (byte)0x80, "they end too early"),
+        })
+        {
+            byte[] broken = [.. bytes];
+            broken[at] = value;
+            Assert.Contains("checksum", Assert.Throws<FormatException>(() => keeper.Restore(broken)).Message, StringComparison.Ordinal);
+            Crc32.Seal(broken);
+            Assert.Contains(reason, Assert.Throws<FormatException>(() => keeper.Restore(broken)).Message, StringComparison.Ordinal);
+        }
+
+        Assert.Equal(bytes, keeper.ToBytes(runner.Time));
     }
 
     private static (ulong Hash, int Dives) Play(KickInput[] kicks, PlaceInput[] places, int late, bool followsRestarts)
