@@ -335,7 +335,11 @@ public sealed partial class FixedStepRunner
             ref readonly BallState state = ref states[i];
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
             BallState.Launched(in state);
-            Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
+            if (state.Time != states[0].Time)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"states[{i}].time is {state.Time:R}, but states[0].time is {states[0].Time:R}. The balls of a group share one clock: give all states the same time."), nameof(states));
+            }
+
             SimulatorOf(i).Validate(in state);
         }
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -12,6 +13,9 @@ public sealed record Dials
 
     /// <summary>L, the share of energy that a ball of that pressure loses on concrete: 1 − 0.861².</summary>
     private const double UsualLoss = 0.258679;
+
+    /// <summary>The minimum of <see cref="BallProperties.Mass"/>, in kg.</summary>
+    private const double LeastMass = 0.001;
 
     /// <summary>The specific gas constant of air times 20 °C, in J/kg.</summary>
     private const double GasEnergy = Weather.DryGas * 293.15;
@@ -68,10 +72,18 @@ public sealed record Dials
         // The change in the mass of the air inside the ball: Δm = Δp V/(R T).
         double volume = 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius;
         double air = (Pressure - UsualPressure) * Bar * volume / GasEnergy;
+        double dry = ball.Mass * (1.0 + (0.1 * Wetness) + (0.05 * Mud));
+        if (dry + air < LeastMass && dry >= LeastMass)
+        {
+            // Name the dial: the mass that the game has set is in range.
+            double least = Math.Ceiling(1000.0 * (UsualPressure + ((LeastMass - dry) * GasEnergy / (Bar * volume)))) / 1000.0;
+            throw Check.Refusal("dials.pressure", Pressure.ToString("R", CultureInfo.InvariantCulture), FormattableString.Invariant($"{least:R} … 1.1 for a ball of {ball.Mass:R} kg and {ball.Radius:R} m"));
+        }
+
         DragCurve curve = ball.DragCurve;
         return ball with
         {
-            Mass = (ball.Mass * (1.0 + (0.1 * Wetness) + (0.05 * Mud))) + air,
+            Mass = dry + air,
             Bounce = ball.Bounce * Math.Sqrt((1.0 - (UsualLoss * Math.Sqrt(UsualPressure / Pressure))) / (1.0 - UsualLoss)),
             DragCurve = Wear > 0 ? curve.WithCrisisAt(curve.CriticalReynolds * Elementary.Exp(0.14 * Wear * Elementary.Log(80.0 / 272.0))) : curve,
         };
