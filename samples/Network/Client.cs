@@ -25,6 +25,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
     private long _serverHas;    // the server has our inputs before this tick
     private long _spare = (LeastSpare + MostSpare) / 2;
     private long _paceChanged;
+    private int _joins;
 
     public Corrections Corrections { get; } = new();
 
@@ -42,7 +43,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         if (_rollback is null)
         {
             ulong hash = otherVersion is null ? _match.Runner.SessionHash : 1;
-            return now % 10 == 0 && Refused is null ? [Packets.Of(PacketKind.Join, writer => writer.Write(hash))] : [];
+            return now % 10 == 0 && Refused is null ? [Packets.OfJoin(hash, _joins)] : [];
         }
 
         for (int steps = Pace(now); steps > 0 && _match.Tick - _confirmed < RollbackTicks - 2; steps--)
@@ -110,6 +111,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         if (from > _confirmed)
         {
             _rollback = null;   // the server no longer sends the inputs in between: join again
+            _joins++;
             return;
         }
 
@@ -135,23 +137,42 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         _confirmed = to;
         if (wrong is { } begin)
         {
-            Corrections.Keep(rollback, begin);
-            for (long tick = begin; tick < _match.Tick; tick++)
-            {
-                _match.MovePlayers(tick);
-            }
-
-            rollback.ResimulateFrom(begin);
-            Corrections.Compare(rollback, begin);
-            _view.Corrected(_match.Runner.State);
+            PlayAgain(rollback, begin);
         }
 
         for (long tick = first + 1; tick <= to; tick++)
         {
-            hashes.Add(tick, rollback.HashAt(tick));
+            // This tick is final: all inputs before it are known. The referee judges it, as the one of the server does.
+            BallState final = rollback.StateAt(tick);
+            if (_match.Referee.Judge(in final) is { } restart)
+            {
+                _match.Runner.Kicks.Add(in restart);
+                if (restart.Tick <= _match.Tick)
+                {
+                    PlayAgain(rollback, restart.Tick - 1, isRestart: true);
+                }
+            }
+
+            hashes.Add(tick, rollback.HashAt(tick), _match.Referee.Now);
         }
 
         CheckBall(reader, rollback);
+    }
+
+    /// <summary>Plays again from a tick: first the players, then the ball. The events of the old ticks are replaced.</summary>
+    private void PlayAgain(Rollback rollback, long begin, bool isRestart = false)
+    {
+        Corrections.Keep(rollback, begin);
+        for (long tick = begin; tick < _match.Tick; tick++)
+        {
+            _match.MovePlayers(tick);
+        }
+
+        _match.TakeBack(rollback.StateAt(begin).Time);
+        rollback.ResimulateFrom(begin);
+        _match.Keep(rollback.Events);
+        Corrections.Compare(rollback, begin, isRestart);
+        _view.Corrected(_match.Runner.State);
     }
 
     /// <summary>Compares the server's ball with ours at a tick whose inputs are all known. If they are not bit-identical, reports the difference, and takes over the server's ball.</summary>

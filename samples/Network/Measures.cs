@@ -76,12 +76,16 @@ public sealed class Corrections
         }
     }
 
-    public void Compare(Rollback rollback, long from)
+    /// <summary>Compares the ball with the one before the correction.</summary>
+    /// <param name="rollback">The states after the correction.</param>
+    /// <param name="from">The first tick that was played again.</param>
+    /// <param name="isRestart">True if a late restart placed the ball: it can be anywhere.</param>
+    public void Compare(Rollback rollback, long from, bool isRestart = false)
     {
         Replays++;
         Ticks += _before.Count - 1;
         BallState now = rollback.Runner.State;
-        if (Snapshot.Same(_before[^1], in now))
+        if (isRestart || Snapshot.Same(_before[^1], in now))
         {
             return;
         }
@@ -119,28 +123,33 @@ public sealed class Corrections
     }
 }
 
-/// <summary>Writes the hash of the ball at every final tick to a file, so that the files of two machines can be compared tick by tick.</summary>
+/// <summary>Writes the hash of the ball and the score at every final tick to a file, so that the files of two machines can be compared tick by tick.</summary>
 public sealed class HashLog(string? file) : IDisposable
 {
+    /// <summary>Divides the buffer of a file, so that a killed process leaves whole rows.</summary>
+    private const int RowSize = 32;
+
     private readonly BinaryWriter? _writer = file is null ? null : new BinaryWriter(File.Open(file, FileMode.Append));
 
-    public void Add(long tick, ulong hash)
+    public void Add(long tick, ulong hash, in Ruling ruling)
     {
         _writer?.Write(tick);
         _writer?.Write(hash);
+        _writer?.Write((long)ruling.First);
+        _writer?.Write((long)ruling.Second);
     }
 
     public void Dispose() => _writer?.Dispose();
 
-    public static Dictionary<long, ulong> Read(string file)
+    public static Dictionary<long, (ulong Hash, long First, long Second)> Read(string file)
     {
         byte[] bytes = File.ReadAllBytes(file);
-        var hashes = new Dictionary<long, ulong>();
-        for (int at = 0; at + 16 <= bytes.Length; at += 16)
+        var rows = new Dictionary<long, (ulong Hash, long First, long Second)>();
+        for (int at = 0; at + RowSize <= bytes.Length; at += RowSize)
         {
-            hashes[BitConverter.ToInt64(bytes, at)] = BitConverter.ToUInt64(bytes, at + 8);
+            rows[BitConverter.ToInt64(bytes, at)] = (BitConverter.ToUInt64(bytes, at + 8), BitConverter.ToInt64(bytes, at + 16), BitConverter.ToInt64(bytes, at + 24));
         }
 
-        return hashes;
+        return rows;
     }
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using FootballPhysics.Engines;
 using FootballPhysics.Netcode;
 
 namespace FootballPhysics.Network;
@@ -6,7 +7,7 @@ namespace FootballPhysics.Network;
 /// <summary>The kind of a packet.</summary>
 public enum PacketKind : byte
 {
-    /// <summary>A machine joins, with the hash of its match.</summary>
+    /// <summary>A machine joins, with the hash of its match and a number of this attempt.</summary>
     Join,
 
     /// <summary>The receiver is rejected, because the hash of its match differs: another version, scene or step.</summary>
@@ -32,6 +33,13 @@ public static class Packets
         write(writer);
         return memory.ToArray();
     }
+
+    /// <summary>Returns the packet of a machine that joins. All packets of one attempt have the same number: one that is overtaken must not start a second attempt.</summary>
+    public static byte[] OfJoin(ulong hash, int joins) => Of(PacketKind.Join, writer =>
+    {
+        writer.Write(hash);
+        writer.Write(((long)Environment.ProcessId << 16) + joins);
+    });
 
     /// <summary>Writes the inputs of a team from one tick up to another, exclusive: eleven bytes at first, then the changes; two bytes for a tick without any.</summary>
     public static void WriteInputs(this BinaryWriter writer, Match match, int team, long from, long to)
@@ -91,7 +99,7 @@ public static class Packets
         return (from, inputs);
     }
 
-    /// <summary>Writes the complete, exact state at a tick: the players and the ball.</summary>
+    /// <summary>Writes the complete, exact state at a tick: the players, the ball, the ruling with the next restart, and the decisions of the keepers.</summary>
     public static void WriteState(this BinaryWriter writer, Match match, long tick, in BallState ball)
     {
         writer.Write(tick);
@@ -106,6 +114,21 @@ public static class Packets
         var bytes = new byte[Snapshot.Size];
         Snapshot.Write(in ball, bytes);
         writer.Write(bytes);
+        Ruling ruling = match.Referee.At(tick);
+        writer.Write((byte)ruling.First);
+        writer.Write((byte)ruling.Second);
+        writer.Write((byte)ruling.Touched);
+        var restarts = new KickLog();
+        if (ruling.Restart is { } restart)
+        {
+            restarts.Add(in restart);
+        }
+
+        writer.WriteBytes(restarts.ToBytes());
+        foreach (KeeperDive keeper in match.Keepers)
+        {
+            writer.WriteBytes(keeper.ToBytes(ball.Time));
+        }
     }
 
     public static void ReadState(this BinaryReader reader, Match match)
@@ -118,8 +141,30 @@ public static class Packets
             players[i].Velocity = new Vector3d(reader.ReadDouble(), 0, reader.ReadDouble());
         }
 
-        match.Restore(tick, players, Snapshot.Read(reader.ReadBytes(Snapshot.Size)));
+        BallState ball = Snapshot.Read(reader.ReadBytes(Snapshot.Size));
+        (byte first, byte second, byte touched) = (reader.ReadByte(), reader.ReadByte(), reader.ReadByte());
+        var restarts = KickLog.FromBytes(reader.ReadByteArray());
+        PlaceInput? restart = restarts.PlaceCount > 0 ? restarts.PlaceAt(0) : null;
+        foreach (KeeperDive keeper in match.Keepers)
+        {
+            keeper.Restore(reader.ReadByteArray());
+        }
+
+        match.Restore(tick, players, in ball);
+        match.Referee.Begin(tick, new Ruling(first, second, touched, restart));
+        if (restart is { } place)
+        {
+            match.Runner.Kicks.Add(in place);
+        }
     }
+
+    private static void WriteBytes(this BinaryWriter writer, byte[] bytes)
+    {
+        writer.Write((ushort)bytes.Length);
+        writer.Write(bytes);
+    }
+
+    private static byte[] ReadByteArray(this BinaryReader reader) => reader.ReadBytes(reader.ReadUInt16());
 
     private static void Write(this BinaryWriter writer, Vector3d vector)
     {

@@ -57,7 +57,10 @@ public sealed class Peer(int team, int seed, HashLog hashes)
     private long _final;        // states before this tick are final, and logged
     private bool _begun;
     private long _joinAt = -1;
+    private long _attempt;
     private long _theirGuesses;
+
+    public string Score => $"score {_match.Referee.Now.Score}, {_match.Referee.Counts}";
 
     public int Rollbacks { get; private set; }
 
@@ -76,14 +79,22 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         // The first peer starts the match; the second sends requests to join.
         if (_game is null && team == 1)
         {
-            return now % 10 == 0 ? [Packets.Of(PacketKind.Join, writer => writer.Write(_match.Runner.SessionHash))] : [];
+            return now % 10 == 0 ? [Packets.OfJoin(_match.Runner.SessionHash, 0)] : [];
         }
 
         _game ??= new MatchCallbacks(_match);
         PlayAgain(wrong);
         for (; _final <= _confirmed && _final < _game.Frame; _final++)
         {
-            hashes.Add(_final, Snapshot.Hash(_game.Saved(_final)));
+            // The state at this tick is final: all inputs before it are known. The referee judges the tick that led to it, as the one of the other peer does.
+            BallState final = _game.Saved(_final);
+            if (_final > _match.Referee.Tick && _match.Referee.Judge(in final) is { } restart)
+            {
+                _match.Runner.Kicks.Add(in restart);
+                PlayAgain(restart.Tick - 1);
+            }
+
+            hashes.Add(_final, Snapshot.Hash(final), _match.Referee.Now);
         }
 
         Play(now);
@@ -159,8 +170,15 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         switch ((PacketKind)reader.ReadByte())
         {
             case PacketKind.Join when _game is not null && reader.ReadUInt64() == _match.Runner.SessionHash:
+                long attempt = reader.ReadInt64();
+                if (attempt == _attempt && _joinAt < 0)
+                {
+                    return null;    // overtaken: this peer has joined
+                }
+
                 // A peer that joins begins at the end of the known inputs of both teams: nothing before that tick changes.
                 _joinAt = _joinAt < 0 ? Math.Min(_confirmed, _game.Frame) : _joinAt;
+                _attempt = attempt;
                 _begun = true;
                 return null;
             case PacketKind.Welcome when _game is null:

@@ -40,6 +40,7 @@ internal static class Modes
                 {
                     var server = new Server((int)options.Number("--seed", 1), hashes);
                     Link.Run((int)options.Number("--port", 0), 0, server.Tick);
+                    Console.WriteLine(server.Score);
                     Console.WriteLine($"inputs late {server.Late}, kicks out of reach {server.Strips}; the ball in 24 bytes {server.Short} times, in 228 {server.Whole}");
                 }
 
@@ -65,6 +66,7 @@ internal static class Modes
                     int side = (int)options.Number("--side", 0);
                     var peer = new Peer(side, (int)options.Number("--seed", 1), hashes);
                     Link.Run((int)options.Number("--port", 0), side, peer.Tick);
+                    Console.WriteLine(peer.Score);
                     Console.WriteLine($"rolled back {peer.Rollbacks} times, {peer.Ticks / Math.Max(1.0, peer.Rollbacks):F0} ticks each; waited {peer.Waits} ticks");
                 }
 
@@ -164,11 +166,13 @@ internal static class Demo
         bool asTold = second.ExitCode == 0 && (style == "ggpo" || refused.Length > 0);
         second.Dispose();
 
-        Dictionary<long, ulong> here = HashLog.Read(Path.Combine(folder, "0"));
-        Dictionary<long, ulong> there = HashLog.Read(Path.Combine(folder, "1"));
+        Dictionary<long, (ulong Hash, long First, long Second)> here = HashLog.Read(Path.Combine(folder, "0"));
+        Dictionary<long, (ulong Hash, long First, long Second)> there = HashLog.Read(Path.Combine(folder, "1"));
         Directory.Delete(folder, recursive: true);
         long[] both = [.. here.Keys.Where(there.ContainsKey)];
-        int apart = both.Count(tick => here[tick] != there[tick]);
+        int apart = both.Count(tick => here[tick].Hash != there[tick].Hash);
+        int scoresApart = both.Count(tick => (here[tick].First, here[tick].Second) != (there[tick].First, there[tick].Second));
+        long end = both.Max();
         double seconds = ticks * Match.Step;
         Console.WriteLine($"""
             {style}: {ticks} ticks ({seconds / 60:F1} min) of {Match.Players} players and a ball in {watch.Elapsed.TotalSeconds:F1} s; second process killed after half, back {away * Match.Step:F1} s later
@@ -177,8 +181,9 @@ internal static class Demo
             first: {one.Trim()}
             second: {two.Trim()}
             ball compared at {both.Length} ticks: {apart} apart
+            score of both at tick {end}: {here[end].First}:{here[end].Second} and {there[end].First}:{there[end].Second}, compared at {both.Length} ticks: {scoresApart} apart
             """);
-        return apart == 0 && asTold && both.Length > (0.9 * (ticks - away)) - 300 ? 0 : 1;
+        return apart + scoresApart == 0 && asTold && both.Length > (0.9 * (ticks - away)) - 300 ? 0 : 1;
     }
 
     private static Process Launch(string arguments)

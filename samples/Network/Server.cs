@@ -20,9 +20,12 @@ public sealed class Server(int seed, HashLog hashes)
     private long _heard = -1;
     private long _spare;
     private bool _joins;
+    private long _attempt;
     private ulong _otherHash;
     private byte[] _ball = [];
     private long _ballTick;
+
+    public string Score => $"score {_match.Referee.Now.Score}, {_match.Referee.Counts}";
 
     public int Late { get; private set; }
 
@@ -53,7 +56,15 @@ public sealed class Server(int seed, HashLog hashes)
         }
 
         _match.Advance();
-        hashes.Add(_match.Tick, Snapshot.Hash(_match.Runner.State));
+
+        // A tick of the server is final at once.
+        BallState played = _match.Runner.State;
+        if (_match.Referee.Judge(in played) is { } restart)
+        {
+            _match.Runner.Kicks.Add(in restart);
+        }
+
+        hashes.Add(_match.Tick, Snapshot.Hash(played), _match.Referee.Now);
         if (_match.Tick % Match.WireTicks == 0)
         {
             // Send the ball at this tick in 24 bytes. In a net, or between two feet, it needs a complete snapshot.
@@ -113,6 +124,13 @@ public sealed class Server(int seed, HashLog hashes)
         if ((PacketKind)reader.ReadByte() == PacketKind.Join)
         {
             ulong hash = reader.ReadUInt64();
+            long attempt = reader.ReadInt64();
+            if (attempt == _attempt && !_joins)
+            {
+                return;     // overtaken: this client has joined
+            }
+
+            _attempt = attempt;
             _otherHash = hash == _match.Runner.SessionHash ? 0 : hash;
             _confirmed = _joins ? _confirmed : _match.Tick;
             _joins = true;
