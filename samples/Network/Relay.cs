@@ -33,7 +33,7 @@ public sealed class Relay : IDisposable
     {
         _weather = weather;
         _random = new Random(seed);
-        _socket.Client.ReceiveTimeout = 10_000;
+        _socket.Client.ReceiveTimeout = 60_000;
     }
 
     public int Port => ((IPEndPoint)_socket.Client.LocalEndPoint!).Port;
@@ -203,7 +203,7 @@ public static class Link
     {
         using var socket = new UdpClient();
         socket.Connect(IPAddress.Loopback, port);
-        socket.Client.ReceiveTimeout = 30_000;
+        socket.Client.ReceiveTimeout = 60_000;
         socket.Send(Relay.Frame(Relay.Hello, side, []));
         while (true)
         {

@@ -56,6 +56,11 @@ internal static class Netcodes
                 runner.QueueKick(draw.Between(2, 20), draw.Heading(), 10, 5);
             }
 
+            if (draw.Chance(0.01))
+            {
+                runner.QueuePlace(new Vector3d(draw.Between(-2, 2), 1, draw.Between(-2, 2)), draw.Vector(4));
+            }
+
             runner.Advance(draw.Between(0.2, 2) * Step);
             _ = runner.Pose.Position + runner.Position + runner.PoseAt(0.3).Position;
             _ = runner.Orientation.W + runner.Spin.X + runner.DroppedTime + runner.TotalDroppedTime;
@@ -70,6 +75,14 @@ internal static class Netcodes
                 if (draw.Chance(0.4))
                 {
                     rollback.Remove(tick, draw.Below(3));
+                }
+
+                var place = new PlaceInput(tick, draw.Below(3), 0, new Vector3d(0, 0.5, draw.Between(-2, 2)), draw.Vector(3), draw.Vector(9), Quaterniond.FromAxisAngle(Vector3d.Up, 1));
+                _ = place.ToString();
+                rollback.ApplyPlace(in place);
+                if (draw.Chance(0.6))
+                {
+                    rollback.RemovePlace(tick, place.Player);
                 }
 
                 rollback.ResimulateFrom(tick);
@@ -137,8 +150,11 @@ internal static class Netcodes
             log.Add(new KickInput(draw.Below(100), draw.Vector(9), default, draw.Below(4), draw.Below(2)));
             log.Remove(draw.Below(100), draw.Below(4), draw.Below(2));
             _ = log.FirstAt(draw.Below(100));
+            log.Add(new PlaceInput(draw.Below(100), draw.Below(4), draw.Below(2), draw.Vector(9)));
+            log.RemovePlace(draw.Below(100), draw.Below(4), draw.Below(2));
         }
 
+        _ = KickLog.FromBytes(log.ToBytes()).PlaceAt(log.FirstPlaceAt(5)).Position;
         log.RemoveFrom(50);
         log.Clear();
         runner.Simulator = new Simulator(Pitch.Futsal.On());
@@ -156,11 +172,12 @@ internal static class Netcodes
     {
         var group = new BallGroup(new Simulator(Pitch.Cage.On()), 3);
         var runner = new FixedStepRunner(group, Step);
-        var rollback = new Rollback(runner, 20);
         for (int ball = 0; ball < 3; ball++)
         {
             runner.Place(new Vector3d(0.5 * ball, 0.3, 0), ball);
         }
+
+        var rollback = new Rollback(runner, 20);
 
         Recording recording = runner.Record();
 
