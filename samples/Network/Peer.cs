@@ -60,7 +60,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
     private long _attempt;
     private long _theirGuesses;
 
-    public string Score => $"score {_match.Referee.Now.Score}, {_match.Referee.Counts}";
+    public string Score => _match.Referee.Summary;
 
     public int Rollbacks { get; private set; }
 

@@ -30,8 +30,8 @@ public sealed class Referee(Match match)
     /// <summary>The ruling after the last judged tick.</summary>
     public Ruling Now => At(Tick);
 
-    /// <summary>The counts of what it saw.</summary>
-    public string Counts => string.Join(", ", _counts.OrderBy(count => count.Key, StringComparer.Ordinal).Select(count => $"{count.Value} {count.Key}"));
+    /// <summary>The score, and the numbers of restarts since this machine joined.</summary>
+    public string Summary => string.Join(", ", _counts.OrderBy(count => count.Key, StringComparer.Ordinal).Select(count => $"{count.Key} {count.Value}").Prepend($"score {Now.Score}"));
 
     /// <summary>Returns the ruling at the start of a judged tick.</summary>
     public Ruling At(long tick) => _rulings[tick % Match.Kept];

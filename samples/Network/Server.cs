@@ -25,7 +25,7 @@ public sealed class Server(int seed, HashLog hashes)
     private byte[] _ball = [];
     private long _ballTick;
 
-    public string Score => $"score {_match.Referee.Now.Score}, {_match.Referee.Counts}";
+    public string Score => _match.Referee.Summary;
 
     public int Late { get; private set; }
 
