@@ -272,7 +272,14 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 18: return fp_look_ahead(scene(seed), state, number(seed, 5), fabs(number(seed, 0.1)), seldom(seed) ? NULL : b->rows, count(seed, ROWS, INT32_MAX), seldom(seed) ? NULL : &b->written);
     case 21: case 22: case 23: return fp_match_step(match(seed), seldom(seed) ? NULL : b->happened, (int32_t)count(seed, EVENTS, INT32_MAX), seldom(seed) ? NULL : b->numbers);
     case 24: return fp_match_kick(match(seed), index_of(seed, 3), vector(seed, v, 40), vector(seed, w, 100));
-    case 25: return fp_match_place(match(seed), index_of(seed, 3), vector(seed, p, 10));
+    case 25: {
+        double q[4] = {number(seed, 1), number(seed, 1), number(seed, 1), number(seed, 1)};
+        switch (below(seed, 3)) {
+        case 0: return fp_match_place(match(seed), index_of(seed, 3), vector(seed, p, 10));
+        case 1: return fp_match_queue_place(match(seed), index_of(seed, 3), vector(seed, p, 10), vector(seed, v, 40), vector(seed, w, 100), seldom(seed) ? NULL : q);
+        default: return fp_place(scene(seed), state, vector(seed, p, 50), vector(seed, v, 40), vector(seed, w, 100), seldom(seed) ? NULL : q);
+        }
+    }
     case 26: case 27:
         if (fp_match_read_balls(match(seed), 0, 1, &b->ball) != FP_OK) b->ball.time = number(seed, 3);
         return fp_match_move_bodies(match(seed), index_of(seed, 2), (int32_t)count(seed, 2, INT32_MAX), bodies(seed, b->bodies, b->ball.time));

@@ -41,7 +41,7 @@ int main(void)
     if (FP_CHECK_ABI() != FP_OK || create("{}", &scene) != FP_OK || fp_launch(scene, zero, kick, zero, &state) != FP_OK) return 2;
     before = state;
 
-    EXPECT(FP_ABI, "allowed: (1, 216, 120, 160)", fp_check_abi(2, 216, 120, 160));
+    EXPECT(FP_ABI, "allowed: (2, 216, 120, 160)", fp_check_abi(1, 216, 120, 160));
     EXPECT(FP_SCENE, "the input", create("{\"gravity\"", &none));
     EXPECT(FP_SCENE, "gravity is -1; allowed: ", create("{\"gravity\": -1}", &none));
     EXPECT(FP_SCENE, "did you mean gravity", create("{\"gravty\": 9}", &none));
@@ -82,6 +82,8 @@ int main(void)
     EXPECT(FP_ARGUMENT, "ball is 2", fp_match_kick(match, 2, kick, zero));
     EXPECT(FP_ARGUMENT, "kick.velocity is (0, NaN, 0)", fp_match_kick(match, 0, nan, zero));
     EXPECT(FP_ARGUMENT, "launch.position is (0, NaN, 0)", fp_match_place(match, 0, nan));
+    EXPECT(FP_ARGUMENT, "place.position is (0, NaN, 0)", fp_match_queue_place(match, 0, nan, NULL, NULL, NULL));
+    EXPECT(FP_ARGUMENT, "place.position is (0, NaN, 0)", fp_place(scene, &state, nan, NULL, NULL, NULL));
     EXPECT(FP_ARGUMENT, "n is 2; allowed: 0", fp_match_move_bodies(match, 0, 2, &body));
     body.velocity[0] = 2000;
     EXPECT(FP_ARGUMENT, "bodies[0].velocity is (2000, 0, 0)", fp_match_move_bodies(match, 0, 1, &body));
