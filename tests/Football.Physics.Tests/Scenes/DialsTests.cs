@@ -10,10 +10,10 @@ public sealed class DialsTests
     [Fact]
     public void A_pressure_that_a_light_ball_cannot_have_is_refused_by_the_dial()
     {
-        var light = new Scene { Ball = BallProperties.Modern with { Mass = 0.003, Radius = 0.11 } };
+        var light = new Scene { Ball = BallProperties.Modern with { Mass = 0.002, Radius = 0.11 } };
         ArgumentOutOfRangeException refusal = Assert.Throws<ArgumentOutOfRangeException>(() => new Dials { Pressure = 0.6 }.Apply(light));
         Assert.StartsWith("dials.pressure is 0.6; allowed: 0.", refusal.Message, StringComparison.Ordinal);
-        Assert.Contains(" … 1.1 for a ball of 0.003 kg and 0.11 m", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" … 1.1 for a ball of 0.002 kg and 0.11 m", refusal.Message, StringComparison.Ordinal);
         string least = refusal.Message["dials.pressure is 0.6; allowed: ".Length..].Split(' ')[0];
         new Dials { Pressure = double.Parse(least, System.Globalization.CultureInfo.InvariantCulture) }.Apply(light).Validate();
     }
