@@ -75,7 +75,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             }
             catch (ArgumentException)
             {
-                Must(simulator.SceneHash != segment.SceneHash || segment.Balls != 1 || segment.Movers != simulator.World.Movers, "its own scene is refused");
+                Must(simulator.SceneHash != segment.SceneHash || segment.Balls != 1 || segment.StartMotions.Length != simulator.World.Movers, "its own scene is refused");
                 continue;
             }
             catch (InvalidOperationException)

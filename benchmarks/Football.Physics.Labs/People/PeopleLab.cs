@@ -258,7 +258,10 @@ internal sealed class StepMeter
         Steps++;
         Slow += took > Longest ? 1 : 0;
         Slowest.See(took, at);
-        Evaluations.See(ball.Evaluations, at);
+        BallState counted = start;
+        _again.Clear();
+        ball.Simulator.Step(ref counted, duration, _again);
+        Evaluations.See(_again.Evaluations, at);
         Events.See(ball.Events.Count, at);
     }
 }
