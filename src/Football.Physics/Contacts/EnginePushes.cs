@@ -26,22 +26,25 @@ internal sealed class EnginePushes
     /// <summary>Records a collider before it is pushed.</summary>
     public void Note(EngineCollider collider)
     {
-        // Pushes are valid until the engine's time advances: remove pushes of earlier times.
+        ForgetBefore(collider.Placement.Motion.Time);
+        if (!_pushed.Contains(collider))
+        {
+            _pushed.Add(collider);
+        }
+    }
+
+    /// <summary>Removes the pushes of earlier times: a push is valid until the engine's time advances.</summary>
+    /// <param name="time">The engine's time, s.</param>
+    public void ForgetBefore(double time)
+    {
         for (int i = _pushed.Count - 1; i >= 0; i--)
         {
-            if (_pushed[i] == collider)
-            {
-                return;
-            }
-
-            if (_pushed[i].PushedAt != collider.Placement.Motion.Time && !IsKept(_pushed[i]))
+            if (_pushed[i].PushedAt != time && !IsKept(_pushed[i]))
             {
                 _pushed[i].ForgetPush();
                 _pushed.RemoveAt(i);
             }
         }
-
-        _pushed.Add(collider);
     }
 
     /// <summary>Saves the motions.</summary>

@@ -31,8 +31,6 @@ internal sealed class EngineThings
     private readonly Dictionary<EngineCollider, int> _places = new(Room);
     private readonly Dictionary<int, EngineCollider> _known = new(Room);
     private readonly EngineHits _hits;
-    private readonly List<EngineCollider> _rotating = [];
-    private readonly HashSet<EngineCollider> _isRotating = [];
     private Collider[] _colliders = [];
     private int[] _found = new int[Room];
     private Vector3d _from;
@@ -64,20 +62,8 @@ internal sealed class EngineThings
     /// <summary>The slots, filled as colliders are found. The first slot stays empty, for a collider that no longer exists.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
-    /// <summary>Upper bound of the speed of any part of a collider, m/s: the engine's value, or that of a rotating one found.</summary>
-    public double GreatestSpeed
-    {
-        get
-        {
-            double greatest = _engine.MaximumSpeed;
-            foreach (EngineCollider collider in _rotating)
-            {
-                greatest = Math.Max(greatest, collider.Placement.Motion.GreatestSpeed);
-            }
-
-            return greatest;
-        }
-    }
+    /// <summary>Upper bound of the speed of any part of a collider, m/s.</summary>
+    public double GreatestSpeed => _engine.MaximumSpeed;
 
     /// <summary>Number of colliders found by the last cast.</summary>
     public int Count { get; private set; }
@@ -178,6 +164,13 @@ internal sealed class EngineThings
         return nearest;
     }
 
+    /// <summary>Starts a step of a group: discards the pushes of earlier times, and saves the others.</summary>
+    public void BeginPushes()
+    {
+        Pushes.ForgetBefore(_engine.Time);
+        Pushes.Keep(EnginePushes.OfStep);
+    }
+
     /// <summary>Saves the pushes so far in one of the memories of <see cref="EnginePushes"/>.</summary>
     public void KeepPushes(int memory) => Pushes.Keep(memory);
 
@@ -225,15 +218,13 @@ internal sealed class EngineThings
         // The engine reports positions at a single time, and colliders may move until the ball passes: expand the cast by this motion.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
-        double moved = Moved(apart);
-        Cast(in from, in to, moved);
-        double requested = moved;
+        double requested = apart * _engine.MaximumSpeed;
+        Cast(in from, in to, requested);
 
-        // A newly found rotating collider may move farther than the cast allowed for: cast again with the larger margin.
-        if (NoteRotating() && Moved(apart) is var farther && farther > moved)
+        // A rotating collider may move farther than the engine's bound allows for: cast again with the larger margin.
+        if (MovedByRotating(apart) is var farther && farther > requested)
         {
             Cast(in from, in to, farther);
-            NoteRotating();
             requested = farther;
         }
 
@@ -265,51 +256,22 @@ internal sealed class EngineThings
         _engine.Cast(new SphereCast(in from, in to, _around + moved, _ballRadius), _hits);
     }
 
-    /// <summary>Returns how far any part of a collider may have moved in a time, m.</summary>
-    /// <remarks>For a rotation it is at most the diameter of its circle.</remarks>
-    private double Moved(double apart)
+    /// <summary>Returns how far any part of a rotating collider that the cast has hit may move in a time, m.</summary>
+    /// <remarks>A rotation moves it by at most the diameter of its circle.</remarks>
+    private double MovedByRotating(double apart)
     {
-        double most = apart * _engine.MaximumSpeed;
-        for (int i = _rotating.Count - 1; i >= 0; i--)
+        double most = 0;
+        for (int i = 0; i < _hits.Count; i++)
         {
-            ref RigidMotion motion = ref _rotating[i].Placement.Motion;
-            if (!motion.Rotates)
+            Placement placement = _hits.At(i).Placement;
+            double across = 2.0 * placement.Reach;
+            if (placement.Motion.Rotates && across < double.PositiveInfinity)
             {
-                _isRotating.Remove(_rotating[i]);
-                _rotating.RemoveAt(i);
-                continue;
+                most = Math.Max(most, (apart * placement.Motion.Velocity.Length) + Math.Min(apart * placement.Motion.Swing, across));
             }
-
-            double across = 2.0 * _rotating[i].Placement.Reach;
-            most = across < double.PositiveInfinity ? Math.Max(most, (apart * motion.Velocity.Length) + Math.Min(apart * motion.Swing, across)) : most;
         }
 
         return most;
-    }
-
-    /// <summary>Records the rotating colliders found.</summary>
-    /// <returns>True if any of them is new.</returns>
-    private bool NoteRotating()
-    {
-        bool isNew = false;
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            EngineCollider hit = _hits.At(i);
-            if (hit.Placement.Motion.Rotates && _isRotating.Add(hit))
-            {
-                // An engine may create new colliders endlessly: above twice the size of an answer, drop the oldest collider.
-                if (_rotating.Count >= Math.Max(Room, 2 * _hits.Count))
-                {
-                    _isRotating.Remove(_rotating[0]);
-                    _rotating.RemoveAt(0);
-                }
-
-                _rotating.Add(hit);
-                isNew = true;
-            }
-        }
-
-        return isNew;
     }
 
     /// <summary>Returns the slot of a collider: its own if this step has found it before, or the next free one.</summary>

@@ -74,6 +74,12 @@ internal static class SceneCheck
             return s.Carrier == 0 ? null : Carrier(in s, "0 for a ball that nothing carries");
         }
 
+        // In a pile, other balls may carry a ball at rest. Its group checks that they still touch it.
+        if (s.Carrier == 0 && s.RestsInPile && !(world.Ground is { } ground && ground.At(s.Position, s.Time).Distance - world.Ball.Radius < -Tolerance(in s)))
+        {
+            return null;
+        }
+
         if (s.Carrier >= EngineCollider.FirstNumber)
         {
             return world.Engine is null ? Carrier(in s, "one of the scene's things") : null;

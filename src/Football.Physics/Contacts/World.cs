@@ -35,13 +35,10 @@ internal sealed partial class World
         }
 
         scene.Bodies?.Use();
-        IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
-        IsLevelGroundAlone = IsLevel && IsBare;
-        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
 
         // Colliders in the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
-        if (!IsBare)
+        if (scene.HasThings)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
             AddThings(scene, Obstacles, colliders);
@@ -57,17 +54,21 @@ internal sealed partial class World
         _zones = scene.Zones.Count;
         foreach (Collider collider in Colliders)
         {
-            foreach (ContactMaterial material in collider.Materials)
+            foreach (ContactMaterial material in Ignores(collider) ? [] : collider.Materials)
             {
                 LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
             }
         }
 
+        // A scene whose other objects are all ignored is as bare as a scene without them.
+        IsBare = Engine is null && !HasPassages && Array.TrueForAll(Colliders, collider => collider == Ground || Ignores(collider));
+        IsLevelGroundAlone = IsLevel && IsBare;
+        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         GivesWay = Colliders.Any(collider => collider.GivesWay && !Ignores(collider));
         NetForces = new NetForces(Nets);
         BroadPhase = new BroadPhase(this);
         Moves = BroadPhase.Moving.Length > 0 || Engine is not null;
-        _names = IsBare && _zones == 0 ? ["ground"] : NamesOf(scene);
+        _names = !scene.HasThings && _zones == 0 ? ["ground"] : NamesOf(scene);
     }
 
     /// <summary>The ball.</summary>
@@ -163,19 +164,19 @@ internal sealed partial class World
     /// <summary>True if the ground is level.</summary>
     public bool IsLevel { get; }
 
-    /// <summary>True if the scene has no objects other than the ground.</summary>
+    /// <summary>True if the scene has no objects other than the ground and those that the ball ignores.</summary>
     public bool IsBare { get; }
 
-    /// <summary>True if the scene has only flat ground, level or tilted, or no ground.</summary>
+    /// <summary>True if the bare scene has only flat ground, level or tilted, or no ground.</summary>
     public bool IsPlaneAlone { get; }
 
-    /// <summary>True if the scene has only level ground, or no ground.</summary>
+    /// <summary>True if the bare scene has only level ground, or no ground.</summary>
     public bool IsLevelGroundAlone { get; }
 
     /// <summary>Height of the centre of a ball on level ground, m; −∞ if there is none.</summary>
     public double LevelContact { get; }
 
-    /// <summary>The largest sliding friction of all surfaces.</summary>
+    /// <summary>The largest sliding friction of all surfaces that the ball does not ignore.</summary>
     public double LargestFriction { get; }
 
     /// <summary>A ball that leaves a contact more slowly than this stays, m/s.</summary>
@@ -281,6 +282,9 @@ internal sealed partial class World
             s.Carrier = carrier;
         }
     }
+
+    /// <summary>Returns the index of a collider in states and events: an engine collider has its own number.</summary>
+    public int ThingOf(int collider) => Engine?.NumberOf(collider) is >= 0 and int number ? number : collider + FirstCollider;
 
     /// <summary>Converts the carrier in a state or event to a collider index; out of range if it is not a collider.</summary>
     /// <remarks>An engine collider has an index only within a step.</remarks>

@@ -75,6 +75,7 @@ public sealed partial class FixedStepRunner
         _previous = new BallState[_states.Length];
         _before = new BallState[_states.Length];
         _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
+        simulator.World.Bodies?.BeginMoves();
         double x = 0;
         for (int i = 0; i < _states.Length; i++)
         {
@@ -417,6 +418,9 @@ public sealed partial class FixedStepRunner
             throw;
         }
 
+        // The moves of this step are recorded. Later ones are for the next step.
+        world.Bodies?.BeginMoves();
+
         // Quantise within the step, so that hashing, recording and rollback all see the quantised state.
         Tick++;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
@@ -425,12 +429,8 @@ public sealed partial class FixedStepRunner
         }
 
         Events.Add(_log.Events);
-        if (Recording is not null || History is not null)
-        {
-            Recording?.Add(_states, world);
-            History?.Keep(Tick);
-        }
-
+        Recording?.Add(_states, world);
+        History?.Keep(Tick);
         ForgetKicks();
     }
 

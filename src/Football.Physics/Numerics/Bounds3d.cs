@@ -48,6 +48,12 @@ public readonly struct Bounds3d
         new Vector3d(Math.Min(Min.X, other.Min.X), Math.Min(Min.Y, other.Min.Y), Math.Min(Min.Z, other.Min.Z)),
         new Vector3d(Math.Max(Max.X, other.Max.X), Math.Max(Max.Y, other.Max.Y), Math.Max(Max.Z, other.Max.Z)));
 
+    /// <summary>Returns the box that this box and another have in common.</summary>
+    /// <param name="other">The other box, which intersects this one.</param>
+    internal Bounds3d Common(in Bounds3d other) => new(
+        new Vector3d(Math.Max(Min.X, other.Min.X), Math.Max(Min.Y, other.Min.Y), Math.Max(Min.Z, other.Min.Z)),
+        new Vector3d(Math.Min(Max.X, other.Max.X), Math.Min(Max.Y, other.Max.Y), Math.Min(Max.Z, other.Max.Z)));
+
     /// <summary>The centre, as a box without size.</summary>
     internal Bounds3d AtCenter
     {

@@ -105,9 +105,9 @@ public sealed class EngineCollider
         Check.Size("spin", spin, Limits.Spin, "rad/s");
 
         // Recompute the bounding box only for a new orientation.
-        if (orientation != Placement.Motion.Orientation)
+        if (!Placement.Has(in orientation))
         {
-            Placement.Turn(orientation.Normalized());
+            Placement.Turn(orientation.Unit());
         }
 
         Placement.Motion.Origin = position;
@@ -147,6 +147,7 @@ public sealed class EngineCollider
         // The engine reports positions at its own time: move the position back as if the new velocity had applied since then.
         ref RigidMotion motion = ref Placement.Motion;
         bool isFirst = _push.At != motion.Time;
+        _push.Placed = isFirst ? motion : _push.Placed;
         Vector3d change = velocity - motion.Velocity;
         Vector3d back = (motion.Time - time) * change;
         _push.Pushed = isFirst ? change : _push.Pushed + change;
@@ -166,8 +167,14 @@ public sealed class EngineCollider
         get => _push with { Motion = Placement.Motion };
         set
         {
+            // The engine may have turned the collider since, so its box is another one.
+            bool isTurned = !Placement.Has(value.Motion.Orientation);
             Placement.Motion = value.Motion;
             _push = value;
+            if (isTurned)
+            {
+                Placement.Turn(value.Motion.Orientation);
+            }
         }
     }
 
@@ -177,9 +184,7 @@ public sealed class EngineCollider
         // Undo the push, unless the engine has placed the collider since: the new position excludes the push.
         if (_push.At == Placement.Motion.Time && !_push.IsAsPlaced)
         {
-            Placement.Motion.Origin -= _push.Gone;
-            Placement.Motion.Pivot -= _push.Gone;
-            Placement.Motion.Velocity -= _push.Pushed;
+            Placement.Motion = _push.Placed;
         }
 
         _push.At = double.NaN;
@@ -194,6 +199,7 @@ public sealed class EngineCollider
         // The engine placed the collider again at the same time, so the position lacks the push: add the push.
         if (_push.IsAsPlaced && _push.At == time)
         {
+            _push.Placed = motion;
             motion.Origin += _push.Gone;
             motion.Pivot += _push.Gone;
             motion.Velocity += _push.Pushed;

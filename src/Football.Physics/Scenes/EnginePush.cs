@@ -5,6 +5,9 @@ internal struct EnginePush
 {
     public RigidMotion Motion { get; set; }
 
+    /// <summary>The motion without the pushes.</summary>
+    public RigidMotion Placed { get; set; }
+
     public Vector3d Pushed { get; set; }
 
     public Vector3d Gone { get; set; }

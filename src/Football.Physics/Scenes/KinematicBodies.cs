@@ -29,6 +29,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     private long _checked;
     private long _counted = -1;
     private long _version;
+    private long _since;
     private bool _lookAhead;
 
     /// <summary>The number of bodies.</summary>
@@ -132,7 +133,14 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     internal void Use() => _inUse = true;
 
     /// <summary>Returns the time for which a ball on a straight path cannot hit any body, in s; at most the duration of the path.</summary>
-    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
+    /// <remarks>It depends only on the motions of the bodies, and not on earlier searches.</remarks>
+    /// <param name="from">The start, in m.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="time">The start time, in s.</param>
+    /// <param name="duration">The duration, in s.</param>
+    /// <param name="around">The margin, in m.</param>
+    /// <param name="ignores">The layers that the ball ignores.</param>
+    internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around, uint ignores)
     {
         double free = duration;
 
@@ -142,7 +150,10 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         double reach = (half * velocity.Length) + around;
         for (int i = 0; _movers.Next(in middle, reach, time + half, half, ref i); i++)
         {
-            free = Math.Min(free, _bodies[i].FreeFor(in from, in velocity, time, duration, around));
+            if (!Layers.Contains(ignores, _bodies[i].Layer))
+            {
+                free = Math.Min(free, _bodies[i].FreeFor(in from, in velocity, time, duration, around));
+            }
         }
 
         return free;
@@ -168,11 +179,21 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
             RefuseTime(time);
         }
 
-        ForgetTimes();
+        EndMoves();
     }
 
-    /// <summary>Discards the times of the moves, because the next steps replay other times, as in a rollback.</summary>
+    /// <summary>Discards the moves and their times, because the next steps replay other times, as in a rollback.</summary>
     internal void ForgetTimes()
+    {
+        EndMoves();
+        BeginMoves();
+    }
+
+    /// <summary>Starts the moves for the next step of a runner.</summary>
+    /// <remarks>Until that step, the recorder of the runner records them, even if the game steps a copy of the ball before.</remarks>
+    internal void BeginMoves() => _since = Steps;
+
+    private void EndMoves()
     {
         _earliest = double.PositiveInfinity;
         _latest = double.NegativeInfinity;
@@ -199,7 +220,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         {
             // The game may already have moved a body for the time after the jump.
             KinematicBody body = _bodies[i];
-            bool wasMoved = WasMoved(i);
+            bool wasMoved = body.MovedAt == Steps;
             if (wasMoved ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
             {
                 RigidMotion motion = body.Motion;
@@ -250,8 +271,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         body.MovedAt = _lookAhead ? body.MovedAt : Steps;
     }
 
-    /// <summary>True if the game has moved a body since the last step.</summary>
-    internal bool WasMoved(int body) => _bodies[body].MovedAt == Steps;
+    /// <summary>True if the game has moved a body for the next step of a runner.</summary>
+    internal bool WasMoved(int body) => _bodies[body].MovedAt >= _since;
 
     /// <summary>Moves a body for the next step, as if the game had done so.</summary>
     internal void Repeat(int body, in RigidMotion motion)

@@ -77,6 +77,7 @@ public sealed class KinematicBody
         RigidMotion before = motion;
         motion.Velocity = Vector3d.Zero;
         motion.Spin = Vector3d.Zero;
+        motion.Swing = 0;
         motion.IsWithdrawn = true;
 
         Placement.Complete(in before);
@@ -142,8 +143,8 @@ public sealed class KinematicBody
 
     private void Turn(in Quaterniond orientation)
     {
-        // Normalising the same orientation again might change its last bit, so keep the old value.
-        if (!Placement.Has(in orientation) && orientation.Normalized() is var turned && !Placement.Has(in turned))
+        // Most bodies keep their orientation: do not normalize it again.
+        if (!Placement.Has(in orientation) && orientation.Unit() is var turned && !Placement.Has(in turned))
         {
             Placement.Turn(in turned);
         }
@@ -153,7 +154,7 @@ public sealed class KinematicBody
     [MethodImpl(MethodImplOptions.NoInlining)]
     internal double FreeFor(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
     {
-        // A rough sphere may have been too large: test the body again.
+        // The exact sphere decides first, then the box. The sphere in the broad phase may still be rough: test the exact one.
         double half = 0.5 * duration;
         if (Placement.Refine() && Placement.Lane.IsFar(from + (half * velocity), (half * velocity.Length) + around, time + half, half))
         {
@@ -169,6 +170,9 @@ public sealed class KinematicBody
     {
         RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
+
+        // The rotation may have changed the last bits of Swing. A restored motion has the new ones.
+        Placement.Motion.Rotate(Shape);
         Placement.Complete(in before);
         _all.CountMove();
     }

@@ -10,6 +10,9 @@ internal readonly struct MovingLane(double[] four, int lane)
     /// <summary>The number of objects per array.</summary>
     public const int Lanes = 4;
 
+    /// <summary>A margin for the rounding errors of positions, in m: sufficient up to 1000 km from the origin.</summary>
+    public const double Rounding = 1e-6;
+
     /// <summary>The number of fields per object.</summary>
     public const int Fields = 11;
 
@@ -82,13 +85,13 @@ internal readonly struct MovingLane(double[] four, int lane)
         four[lane + Radius] = 0.5 * (box.Max - box.Min).Length;
     }
 
-    /// <summary>Sets a sphere that contains that of the box at any rotation about the origin.</summary>
+    /// <summary>Sets a sphere that contains the sphere of the box at any rotation about the origin, in spite of rounding errors in <see cref="IsFar"/>.</summary>
     /// <param name="box">A bounding box relative to the origin.</param>
     public void BoundAlways(in Bounds3d box)
     {
-        // The box around a rotated box is less than √3 times as large.
+        // The box around a rotated box is at most √3 times as large.
         Vector3d half = 0.5 * (box.Max - box.Min);
-        double reach = (0.5 * (box.Min + box.Max)).Length + (1.75 * half.Length);
+        double reach = (0.5 * (box.Min + box.Max)).Length + (1.75 * half.Length) + Rounding;
         Bound(Bounds3d.Around(Vector3d.Zero, reach, 0, 0));
     }
 

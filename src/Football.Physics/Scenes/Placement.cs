@@ -15,6 +15,7 @@ internal sealed class Placement
     private double _plainLimit = -1;
     private bool _isBehind;
     private bool _isBoxBehind;
+    private bool _isRough;
     private long _changes;
 
     /// <summary>Creates a placement at the origin.</summary>
@@ -50,10 +51,9 @@ internal sealed class Placement
     /// <summary>The orientation, which <see cref="Move"/> keeps.</summary>
     public Quaterniond Orientation => _motion.Orientation;
 
-    /// <summary>True if it has this orientation.</summary>
+    /// <summary>True if it has this orientation, bit for bit.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Has(in Quaterniond orientation) =>
-        orientation.X == _motion.Orientation.X && orientation.Y == _motion.Orientation.Y && orientation.Z == _motion.Orientation.Z && orientation.W == _motion.Orientation.W;
+    public bool Has(in Quaterniond orientation) => RigidMotion.Same(in orientation, in _motion.Orientation);
 
     /// <summary>True if the object is out of play.</summary>
     public bool IsWithdrawn => _motion.IsWithdrawn;
@@ -95,11 +95,13 @@ internal sealed class Placement
         if (_motion.IsWithdrawn)
         {
             _lane.Remove();
+            _isRough = false;
         }
         else if (_motion.Rotates)
         {
             // The box at any rotation, if it moves with the object's velocity.
             _lane.Bound(Swept(_motion.Time, double.PositiveInfinity).Translated(-_motion.Origin));
+            _isRough = false;
         }
         else
         {
@@ -108,20 +110,17 @@ internal sealed class Placement
     }
 
     /// <summary>Replaces the rough sphere of an object that was turned by the sphere of its box.</summary>
+    /// <remarks>Every search that depends on the sphere calls this first, so that its result does not depend on earlier searches.</remarks>
     /// <returns>False if the sphere was not rough.</returns>
     public bool Refine()
     {
-        if (!_isBoxBehind)
+        if (!_isRough)
         {
             return false;
         }
 
-        _ = Turned;
-        if (!Motion.Rotates)
-        {
-            BoundLane();
-        }
-
+        _lane.Bound(in Turned);
+        _isRough = false;
         return true;
     }
 
@@ -173,9 +172,10 @@ internal sealed class Placement
         double longest = Math.Max(Math.Abs(time - Motion.Time), Math.Abs(time + duration - Motion.Time));
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;
-        return swept < reach
-            ? Turned.Translated(Motion.GoneBy(time)).Expanded(swept)
-            : Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
+        var whole = Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
+
+        // Intersect both, so that a shorter time never has a larger box.
+        return swept < reach ? whole.Common(Turned.Translated(Motion.GoneBy(time)).Expanded(swept)) : whole;
     }
 
     /// <summary>The bounding box in the current orientation, rotated once; queries then only translate it.</summary>
@@ -195,7 +195,9 @@ internal sealed class Placement
 
     private void BoundLane()
     {
-        if (_isBoxBehind)
+        // A turned box costs more than a sphere that contains it at any rotation, and few objects come near the ball.
+        _isRough = _isBoxBehind;
+        if (_isRough)
         {
             _lane.BoundAlways(in _own);
         }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics.Scenes;
 
 /// <summary>The position and motion of an object: constant velocity and constant spin.</summary>
@@ -41,8 +43,7 @@ internal struct RigidMotion
     /// <summary>True if another motion is bit-identical, apart from its time.</summary>
     public readonly bool IsSame(in RigidMotion other) =>
         Same(in Origin, in other.Origin) && Same(in Velocity, in other.Velocity) && Same(in Spin, in other.Spin) && Same(in Pivot, in other.Pivot)
-        && Same(Orientation.X, other.Orientation.X) && Same(Orientation.Y, other.Orientation.Y) && Same(Orientation.Z, other.Orientation.Z) && Same(Orientation.W, other.Orientation.W)
-        && IsWithdrawn == other.IsWithdrawn;
+        && Same(in Orientation, in other.Orientation) && IsWithdrawn == other.IsWithdrawn;
 
     /// <summary>Returns the position of the shape's origin at a time, without rotation about the pivot, in m.</summary>
     public readonly Vector3d GoneBy(double time) => Origin + ((time - Time) * Velocity);
@@ -66,7 +67,7 @@ internal struct RigidMotion
             Vector3d arm = Origin - Pivot;
             Origin = arm == Vector3d.Zero ? Origin : Pivot + Quaterniond.Identity.Turned(in turn).Rotate(in arm);
             Orientation = Orientation.Turned(in turn);
-            IsTurned = true;
+            IsTurned = Orientation != Quaterniond.Identity;
         }
 
         Origin += gone;
@@ -146,6 +147,10 @@ internal struct RigidMotion
     /// <summary>True if each component is 0, and none is −0.</summary>
     public static bool IsPlusZero(in Vector3d a) =>
         (BitConverter.DoubleToInt64Bits(a.X) | BitConverter.DoubleToInt64Bits(a.Y) | BitConverter.DoubleToInt64Bits(a.Z)) == 0;
+
+    /// <summary>True if two rotations are bit-identical.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Same(in Quaterniond a, in Quaterniond b) => Same(a.X, b.X) && Same(a.Y, b.Y) && Same(a.Z, b.Z) && Same(a.W, b.W);
 
     private static bool Same(in Vector3d a, in Vector3d b) => Same(a.X, b.X) && Same(a.Y, b.Y) && Same(a.Z, b.Z);
 

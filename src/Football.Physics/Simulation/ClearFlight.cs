@@ -17,8 +17,11 @@ internal sealed class ClearFlight
     /// <summary>Number of steps to look ahead if the longer path is not clear: fewer steps need a narrower margin.</summary>
     private const double Nearer = 4;
 
-    /// <summary>The steps of a display vary in length: a result for bodies is valid for steps up to this many times as long.</summary>
+    /// <summary>The margin of a search for bodies is that of a step this many times as long.</summary>
     private const double LongestStep = 2;
+
+    /// <summary>The steps of a display vary in length: a tube is valid for steps up to this many times as long as the one for which it was found.</summary>
+    private const double Varying = 1.1;
 
     /// <summary>If the air changes the motion by less than this per step, no integrator speeds the ball up by more than a tenth over all
     /// steps ahead.</summary>
@@ -53,7 +56,7 @@ internal sealed class ClearFlight
         _weight = weight;
         _shareInPath = Math.Max(0.5, shareInPath);
         _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
-        _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
+        _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Ignores) : null;
 
         // Hash all inputs of the result, so that a state moved to another scene does not keep its clear time.
         var key = new ClearKey();
@@ -73,6 +76,9 @@ internal sealed class ClearFlight
 
     /// <summary>The key of the scene.</summary>
     public ulong Key { get; }
+
+    /// <summary>The tube along the path of the ball; null without bodies.</summary>
+    public BodyTube? Tube => _tube;
 
     /// <summary>True if every step has to check for bodies or engine colliders.</summary>
     public bool LooksForBodies => _tube is not null || _world.Engine is not null;
@@ -105,7 +111,7 @@ internal sealed class ClearFlight
     {
         // Use the clear time stored in the state. It excludes bodies, which may change their motion; the tube covers them.
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
-        return (isKnown && _world.Engine is null && (_tube is null || _tube.Holds(in s, dt, airSpeedSquared, spinRate)))
+        return (isKnown && _world.Engine is null && (_tube is null || _tube.Holds(in s, dt, airSpeedSquared, spinRate, friction)))
             || IsFree(ref s, dt, isKnown, airSpeedSquared, spinRate, friction);
     }
 
@@ -113,7 +119,7 @@ internal sealed class ClearFlight
     [MethodImpl(MethodImplOptions.NoInlining)]
     private bool IsFree(ref BallState s, double dt, bool isKnown, double airSpeedSquared, double spinRate, double friction)
     {
-        var push = new Push(airSpeedSquared, spinRate, friction);
+        var push = new FlightPush(airSpeedSquared, spinRate, friction);
 
         // An engine may move its colliders between steps: query it in every step.
         if (_world.Engine is { } engine)
@@ -131,7 +137,7 @@ internal sealed class ClearFlight
         }
 
         // Nets and goal mouths have no bounding box, so a ball inside one is never clear.
-        if (s.Nets != 0 || s.GoalsEntered != 0)
+        if (!isKnown && (s.Nets != 0 || s.GoalsEntered != 0))
         {
             return false;
         }
@@ -172,7 +178,7 @@ internal sealed class ClearFlight
         return _world.BroadPhase.FreeFor(in way) >= duration;
     }
 
-    private bool IsFree(ref BallState s, double dt, double steps, in Push push)
+    private bool IsFree(ref BallState s, double dt, double steps, in FlightPush push)
     {
         double ahead = steps * dt;
 
@@ -186,24 +192,31 @@ internal sealed class ClearFlight
 
     /// <summary>True if no body is near in the next step.</summary>
     /// <remarks>
-    /// Only that step counts, so the result does not depend on earlier queries: a tube that stays clear for some time is wider. It is not worth
-    /// its search while the game moves bodies before every step.
+    /// Only that step counts, so the result does not depend on earlier queries: a tube that stays clear for some time is wider, and never decides
+    /// otherwise. It is not worth its search while the game moves bodies before every step.
     /// </remarks>
-    private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)
+    private bool IsFreeOfBodies(in BallState s, double dt, double steps, in FlightPush push)
     {
-        double bend = Bend(in push, dt, dt);
-        double longest = LongestStep * dt;
         if (steps > 1.0 && _tube!.IsWorthwhile)
         {
+            // The tube is valid for somewhat longer steps and for the speed that the ball may gain. The margin of such a step is larger.
             double ahead = Math.Min(steps * dt, Math.Max(dt, KinematicBodies.Foresight));
-            double airSpeed = SpeedLater(in push, ahead);
-            if (_tube.Renew(in s, push.SpinRate, dt, longest, ahead, BodyTube.Width(bend), airSpeed, Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead)))
+            double longest = Varying * dt;
+            FlightPush later = push.At(SpeedLater(in push, ahead));
+            if (_tube.Renew(in s, in later, dt, longest, ahead, BodyTube.Width(Bend(in push, ahead, ahead)), AroundStep(in later, longest)))
             {
                 return true;
             }
         }
 
-        return _tube!.IsFree(in s, dt, Bend(in push, dt + longest, longest), bend);
+        return _tube!.IsFree(in s, dt, AroundStep(in push, dt));
+    }
+
+    /// <summary>Returns the margin of a search for bodies in one step, m. It grows with each argument.</summary>
+    private double AroundStep(in FlightPush push, double dt)
+    {
+        double longest = LongestStep * dt;
+        return _world.Ball.Radius + BodyTube.Width(Bend(in push, dt, dt)) + Bend(in push, dt + longest, longest);
     }
 
     /// <summary>Bounds the distance of the ball from a straight line, m: c a t², which is ½ a t² for most integrators.</summary>
@@ -211,33 +224,39 @@ internal sealed class ClearFlight
     /// <param name="push">Bounds of the forces now.</param>
     /// <param name="ahead">Time until which the speed may grow, s.</param>
     /// <param name="during">t, s.</param>
-    private double Bend(in Push push, double ahead, double during)
+    private double Bend(in FlightPush push, double ahead, double during)
     {
         // c a t² with a = (1 + μ)(g + λ |u|), where λ bounds how fast the air can change the motion.
         double most = SpeedLater(in push, ahead);
-        double acceleration = push.Friction * (_weight + (RateAtMost(most, push.SpinRate) * most));
+        double acceleration = push.FrictionFactor * (_weight + (RateAtMost(most, push.SpinRate) * most));
         return _shareInPath * acceleration * during * during;
     }
 
-    private double RateAtMost(double speed, double spinRate) =>
-        speed <= AirLaws.OrdinarySpeed ? _ordinary.At(speed, spinRate) : _limit.RateAtMost(speed, spinRate);
+    private double RateAtMost(double speed, double spinRate)
+    {
+        double ordinary = _ordinary.At(speed, spinRate);
+        return speed <= AirLaws.OrdinarySpeed ? ordinary : Math.Max(ordinary, _limit.RateAtMost(speed, spinRate));
+    }
 
     /// <summary>Upper bound of the airspeed after a time, m/s.</summary>
-    private double SpeedLater(in Push push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.Friction * _weight));
+    private double SpeedLater(in FlightPush push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.FrictionFactor * _weight));
+}
 
-    /// <summary>Bounds of the forces that bend a path.</summary>
-    private readonly struct Push(double airSpeedSquared, double spinRate, double friction)
-    {
-        /// <summary>|u|², m²/s².</summary>
-        public readonly double AirSpeedSquared = airSpeedSquared;
+/// <summary>Bounds of the forces that bend a path.</summary>
+internal readonly struct FlightPush(double airSpeedSquared, double spinRate, double friction)
+{
+    /// <summary>|u|², m²/s².</summary>
+    public readonly double AirSpeedSquared = airSpeedSquared;
 
-        /// <summary>|ω|, rad/s.</summary>
-        public readonly double SpinRate = spinRate;
+    /// <summary>|ω|, rad/s.</summary>
+    public readonly double SpinRate = spinRate;
 
-        /// <summary>Factor by which friction increases the acceleration.</summary>
-        public readonly double Friction = friction;
+    /// <summary>Factor by which friction increases the acceleration.</summary>
+    public readonly double FrictionFactor = friction;
 
-        /// <summary>|u|, m/s.</summary>
-        public readonly double AirSpeed = Math.Sqrt(airSpeedSquared);
-    }
+    /// <summary>|u|, m/s.</summary>
+    public readonly double AirSpeed = Math.Sqrt(airSpeedSquared);
+
+    /// <summary>Returns the bounds at another air speed, m/s.</summary>
+    public FlightPush At(double airSpeed) => new(airSpeed * airSpeed, SpinRate, FrictionFactor);
 }

@@ -60,7 +60,7 @@ internal sealed unsafe class RestPhase
         }
 
         // Objects or the wind may have changed since the last step: check again that the ball is held. For a ball in a pile, the group checks this.
-        if (run.Left == run.Length && MayWake && !BallRests.RestsInPile(in s))
+        if (run.Left == run.Length && MayWake && !s.RestsInPile)
         {
             int evaluations = 0;
             bool holds = IsHeld(ref s, run.PerStep, ref evaluations);

@@ -87,6 +87,9 @@ public struct BallState : IFormattable
     /// <summary>An odd key identifies the scene for which <see cref="ClearUntil"/> holds; an even key, the balls touched in a pile.</summary>
     internal ulong ClearIn;
 
+    /// <summary>True if the ball came to rest in a pile.</summary>
+    internal readonly bool RestsInPile => Motion == MotionState.Rest && ClearIn != 0 && (ClearIn & 1) == 0;
+
     /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step.</summary>
     /// <remarks>The next step can then skip the search for a free path.</remarks>
     internal const ulong TouchesSeveral = 2;

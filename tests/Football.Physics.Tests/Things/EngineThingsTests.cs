@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Tests.Things;
 
@@ -44,27 +45,80 @@ public sealed class EngineThingsTests
         Assert.Equal(5, engine.Casts);
     }
 
-    /// <summary>The engine says how fast its colliders are. One that rotates is faster at the point farthest from its axis.</summary>
+    /// <summary>The engine says how fast its colliders are. A cast that hits a faster one, which rotates, is repeated in a wider volume; nothing of it is kept.</summary>
     [Fact]
-    public void A_rotating_collider_raises_the_greatest_speed()
+    public void A_rotating_collider_widens_the_cast_that_hits_it_and_no_other_one()
     {
         var rod = new EngineCollider("rod", new BoxShape(Vector3d.Zero, new Vector3d(0.3, 0.4, 1.2)));
-        var engine = new Rigid(rod) { MaximumSpeed = 3 };
+        var engine = new Rigid(rod) { MaximumSpeed = 3, Time = 0.1 };
         EngineThings things = ThingsOf(engine);
-        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, new Vector3d(1, 0, 0), Vector3d.Zero);
-        things.LookAt(new Vector3d(0, 5, 0), 0, 1);
-        Assert.Equal(3, things.GreatestSpeed);
-        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(0, 6, 0));
-        things.LookAt(new Vector3d(0, 5, 0), 0, 1.1);
-        Assert.Equal(1 + (6 * new Vector3d(0.3, 0, 1.2).Length), things.GreatestSpeed, 1e-9);
-        engine.MaximumSpeed = 30;
-        Assert.Equal(30, things.GreatestSpeed);
+        double[] radii = [Radius + 0.02 + 0.3, Radius + 0.02 + (0.1 * (1 + (6 * new Vector3d(0.3, 0, 1.2).Length)))];
+        for (int i = 0; i < 4; i++)
+        {
+            rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(0, 6 * (i % 2), 0));
+            things.Forget();
+            things.LookAt(new Vector3d(0, 5, 0), 0, 0);
+            Assert.Equal(radii[i % 2], engine.Last.Radius, 1e-9);
+            Assert.Equal(3, things.GreatestSpeed);
+        }
+    }
 
-        // After it stops, the next cast forgets it.
-        engine.MaximumSpeed = 2;
-        rod.MoveTo(new Vector3d(0, 5, 0), Quaterniond.Identity, default, Vector3d.Zero);
-        things.LookAt(new Vector3d(0, 5, 0), 0, 1.3);
-        Assert.Equal(2, things.GreatestSpeed);
+    /// <summary>A push is undone to the last bit, whether or not the engine placed the collider again in between.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_push_leaves_no_bit_behind(bool isPlacedAgain)
+    {
+        var random = new Random(5);
+        var pushes = EnginePushes.Of(new ShapesAsEngine());
+        var crate = new EngineCollider("crate", new BoxShape(Vector3d.Zero, new Vector3d(0.3, 0.4, 1.2))) { Mass = 2 };
+        for (int i = 0; i < 200; i++)
+        {
+            var at = new Vector3d(random.NextDouble(), random.NextDouble(), 9 * random.NextDouble());
+            Vector3d velocity = at * random.NextDouble();
+            var turned = Quaterniond.FromAxisAngle(Vector3d.Up, random.NextDouble());
+            Put();
+            RigidMotion before = crate.Placement.Motion;
+            Bounds3d box = crate.Placement.BoundsAt(0.3);
+            pushes.Keep(EnginePushes.OfLook);
+            for (int k = 0; k < 2; k++)
+            {
+                pushes.Note(crate);
+                crate.Push(crate.Placement.Motion.Velocity + (at / 3), 0.1 + (random.NextDouble() / 7));
+                if (isPlacedAgain)
+                {
+                    Put();
+                }
+            }
+
+            pushes.PutBack(EnginePushes.OfLook);
+            Assert.True(before.IsSame(crate.Placement.Motion));
+            Assert.Equal(box, crate.Placement.BoundsAt(0.3));
+
+            void Put()
+            {
+                crate.MoveTo(at, turned, velocity, Vector3d.Zero);
+                crate.FoundAt(0.1);
+            }
+        }
+    }
+
+    /// <summary>Pushes of earlier times of the engine end at the next step of a group, so that they hold nobody together.</summary>
+    [Fact]
+    public void A_step_of_a_group_forgets_pushes_of_earlier_times()
+    {
+        var crate = new EngineCollider("crate", new SphereShape(Vector3d.Zero, 1)) { Mass = 2 };
+        var engine = new Rigid(crate);
+        EngineThings things = ThingsOf(engine);
+        crate.MoveTo(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+        crate.FoundAt(0);
+        things.Pushes.Note(crate);
+        crate.Push(new Vector3d(1, 0, 0), 0);
+        things.BeginPushes();
+        Assert.True(things.Pushes.Has(0, 0, 0.01, out _));
+        engine.Time = 0.01;
+        things.BeginPushes();
+        Assert.False(things.Pushes.Has(0, 0.01, 0.01, out _));
     }
 
     /// <summary>The engine has its own clock: a collider that moves is found where it may be when the ball passes, whichever clock is ahead.</summary>

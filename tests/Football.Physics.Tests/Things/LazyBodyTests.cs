@@ -110,7 +110,7 @@ public sealed class LazyBodyTests
             var turn = new Quaterniond(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5);
             board.MoveTo(new Vector3d(3, 1, 0), turn, default, default, 0);
             Vector3d corner = board.Position + board.Orientation.Rotate(new Vector3d(1.7, -0.2, 0.02));
-            double free = bodies.FreeFor(corner - new Vector3d(0, 0, 5), new Vector3d(0, 0, 10), 0, 1, 0.11);
+            double free = bodies.FreeFor(corner - new Vector3d(0, 0, 5), new Vector3d(0, 0, 10), 0, 1, 0.11, ignores: 0);
             Assert.InRange(free, 0, 0.5);
         }
     }

@@ -200,8 +200,12 @@ public sealed partial class BallGroup
             throw new ArgumentException($"states.Length is {states.Length}; allowed: {Count}, one state for each ball of the group.", nameof(states));
         }
 
+        // A look-ahead does not end the moves for the next step.
         World world = _simulators[0].World;
-        world.Bodies?.CheckTimes(states[0].Time);
+        if (watched is null)
+        {
+            world.Bodies?.CheckTimes(states[0].Time);
+        }
 
         // A single ball takes its own step, without bookkeeping.
         if (Count == 1 && log is not null)

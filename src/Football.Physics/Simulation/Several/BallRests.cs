@@ -53,7 +53,7 @@ internal sealed class BallRests
         {
             _root[i] = i;
             _isPile[i] = false;
-            _keys[i] = RestsInPile(in states[i]) ? FirstKey + MoversNow(i, in states[i]) : 0;
+            _keys[i] = states[i].RestsInPile ? FirstKey + MoversNow(i, in states[i]) : 0;
         }
 
         for (int k = 0; k < neighbours.Count; k++)
@@ -165,7 +165,4 @@ internal sealed class BallRests
         world.Engine?.Forget();
         return KeyOfMovers(world, in s);
     }
-
-    /// <summary>True if a ball came to rest in a pile.</summary>
-    public static bool RestsInPile(in BallState s) => s.Motion == MotionState.Rest && s.ClearIn != 0 && (s.ClearIn & 1) == 0;
 }

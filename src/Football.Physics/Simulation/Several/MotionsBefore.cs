@@ -18,7 +18,7 @@ internal sealed class MotionsBefore(World world)
     public void Begin()
     {
         _isRead = false;
-        world.Engine?.KeepPushes(EnginePushes.OfStep);
+        world.Engine?.BeginPushes();
     }
 
     /// <summary>Reads the motions before the first push.</summary>

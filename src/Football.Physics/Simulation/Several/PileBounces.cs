@@ -108,7 +108,7 @@ internal sealed class PileBounces
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         ImpactLaw.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
         logs[ball].Report(new BallEvent(
-            BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
+            BallEventKind.Impact, simulator.World.ThingOf(contact.Collider), in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
         {
             AddedEnergy = material.IsBumper
                 ? ImpactLaw.Added(simulator.Scene.Ball, 0, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal))
