@@ -111,7 +111,7 @@ public sealed class Simulator
         state.Position = GroundPlace.Raised(_world, in position);
         state.Velocity = velocity;
         state.BaseOrientation = orientation.Normalized();
-        state.SetFlightSpin(spin);
+        state.SetLaunchSpin(in spin);
         state.Motion = MotionState.Airborne;
         return state;
     }

@@ -230,6 +230,28 @@ public sealed class OneAnswerTests
         }
     }
 
+    /// <summary>A ball that is launched with the spin of a launched ball has its bits, also if rounding changes the spin of the first launch.</summary>
+    [Fact]
+    public void A_ball_launched_from_the_spin_of_another_has_its_bits()
+    {
+        var simulator = new Simulator();
+        int rounded = 0;
+        for (int seed = 0; seed < 100_000; seed++)
+        {
+            var random = new SeededRandom(SeededRandom.Mix(74, seed));
+            Vector3d spin = (seed % 2 == 0 ? random.Uniform(0, 30) : random.Log(1e-150, 10_000)) * random.Direction();
+            BallState launched = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, spin);
+            Assert.Equal(launched, simulator.Launch(launched.Position, launched.Velocity, launched.Spin));
+            Assert.True((launched.Spin - spin).Length <= (1e-14 * spin.Length) + 1e-140);
+            BallState kicked = launched;
+            simulator.Kick(ref kicked, Vector3d.Zero, launched.Spin);
+            Assert.Equal(launched.Spin, kicked.Spin);
+            rounded += launched.Spin != spin ? 1 : 0;
+        }
+
+        Assert.InRange(rounded, 1000, int.MaxValue);
+    }
+
     private static ClearFlight Clear(Scene scene, World world)
     {
         var air = SceneAir.Of(scene);
