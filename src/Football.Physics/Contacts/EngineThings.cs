@@ -118,8 +118,7 @@ internal sealed class EngineThings
             return -1;
         }
 
-        LookAt(in position, time, ContactTolerances.Touching);
-        return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
+        return IndexOf((int)carrier, in position, time);
     }
 
     /// <summary>Returns the number of an engine collider; −1 for another collider.</summary>
@@ -131,8 +130,13 @@ internal sealed class EngineThings
     public EngineCollider? Of(int number, in Vector3d position, double time) =>
         Nearest(number, in position, time, -1) is >= 0 and int place ? _colliders[place].Engine : _known.TryGetValue(number, out EngineCollider? known) ? known : null;
 
-    /// <summary>Returns the world index of a collider of the last step.</summary>
-    public int IndexOf(int number, in Vector3d position, double time) => Nearest(number, in position, time, -1) is >= 0 and int place ? IndexOf(place) : _first;
+    /// <summary>Returns the world index of the collider with a given number that a ball touches; an empty slot if there is none.</summary>
+    /// <remarks>It looks for the collider, because the slots may lack it, or may contain colliders of earlier steps.</remarks>
+    public int IndexOf(int number, in Vector3d position, double time)
+    {
+        LookAt(in position, time, ContactTolerances.Touching);
+        return Nearest(number, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
+    }
 
     /// <summary>Converts a slot to a world index: nets and goals come between the initial slots and those added later.</summary>
     private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);

@@ -194,7 +194,9 @@ public sealed partial class BallGroup
     {
         _cluster.Clear();
         _cluster.ForgetShares();
-        if (pushes && !all)
+
+        // Find them also if all balls step again: whether they do may depend on the spheres of neighbours from earlier steps.
+        if (pushes)
         {
             _cluster.FindShares(_motions, dt);
         }

@@ -51,9 +51,12 @@ internal sealed class BallRests
     {
         for (int i = 0; i < states.Length; i++)
         {
+            // An engine may have moved its colliders since the last step, and a pile takes no step of its own that looks again.
+            World world = _simulators[i].World;
+            world.Engine?.Forget();
             _root[i] = i;
             _isPile[i] = false;
-            _keys[i] = states[i].RestsInPile ? FirstKey + MoversNow(i, in states[i]) : 0;
+            _keys[i] = states[i].RestsInPile ? FirstKey + KeyOfMovers(world, in states[i]) : 0;
         }
 
         for (int k = 0; k < neighbours.Count; k++)
@@ -156,13 +159,5 @@ internal sealed class BallRests
         }
 
         return key;
-    }
-
-    /// <summary>Returns this key at the start of a step. An engine may have moved its colliders since the last step.</summary>
-    private ulong MoversNow(int ball, in BallState s)
-    {
-        World world = _simulators[ball].World;
-        world.Engine?.Forget();
-        return KeyOfMovers(world, in s);
     }
 }
