@@ -106,8 +106,10 @@ public sealed class KeeperDive
 
     /// <summary>Watches the ball and moves his body; call it before every step.</summary>
     /// <param name="ball">The ball before the step.</param>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public void Follow(in BallState ball)
     {
+        BallState.Launched(in ball);
         if (!(ball.Time >= _now))
         {
             // The clock went back, so the ball was placed: start again.

@@ -28,6 +28,7 @@ public sealed partial class FixedStepRunner
     private readonly BallState[] _before;
     private RigidMotion[] _motions;
     private Simulator _simulator;
+    private long _claim;
     private long _kickTicks = 36_000;
     private int _wireTicks;
 
@@ -76,6 +77,7 @@ public sealed partial class FixedStepRunner
         _before = new BallState[_states.Length];
         _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
         simulator.World.Bodies?.BeginMoves();
+        _claim = simulator.World.Bodies?.Claim() ?? 0;
         double x = 0;
         for (int i = 0; i < _states.Length; i++)
         {
@@ -116,6 +118,7 @@ public sealed partial class FixedStepRunner
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
+            _claim = value.World.Bodies?.Claim() ?? 0;
             _motions = new RigidMotion[value.World.GivesWay ? value.World.Movers : 0];
             StopRecording();
             Restore(Tick, ball.State);
@@ -247,11 +250,6 @@ public sealed partial class FixedStepRunner
         return _states[ball];
     }
 
-    /// <summary>Returns the pose in which to draw a ball after <see cref="Advance"/>.</summary>
-    /// <param name="ball">The index of the ball, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
-
     /// <summary>Places the ball with zero velocity and spin at this tick, and discards its pending kicks.</summary>
     /// <remarks>The clock restarts at 0; with several balls, the common clock continues. A ball placed above the ground falls. Pending kicks were aimed
     /// from the old position, so those for this tick and later ones are removed.</remarks>
@@ -277,6 +275,7 @@ public sealed partial class FixedStepRunner
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps taken.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A later runner uses the bodies of this scene; nothing has changed.</exception>
     /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are dropped.</remarks>
     public int Advance(double frameTime)
     {
@@ -305,6 +304,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Takes one step, independent of the frame time.</summary>
     /// <remarks>An exception from a custom force propagates; the runner then stays before the step, without events.</remarks>
+    /// <exception cref="InvalidOperationException">A later runner uses the bodies of this scene; nothing has changed.</exception>
     public void Step()
     {
         Events.Clear();
@@ -346,8 +346,7 @@ public sealed partial class FixedStepRunner
         {
             ref readonly BallState state = ref states[i];
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
-            BallState.Launched(in state);
-            Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
+            BallGroup.CheckState(in state, i, states[0].Time);
             SimulatorOf(i).Validate(in state);
         }
 
@@ -381,6 +380,7 @@ public sealed partial class FixedStepRunner
         // Save everything that a step changes, including its kicks: a failed step must change nothing.
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
+        world.Bodies?.CheckClaim(_claim);
         if (_motions.Length > 0)
         {
             world.ReadMotions(_motions);

@@ -23,6 +23,7 @@ public sealed class Rollback
     private readonly int _movers;
     private readonly int _ticks;
     private long _bodiesMoved = -1;
+    private long _begun;
     /// <summary>The first difference found by the last resimulation.</summary>
     private StateDifference? _difference;
 
@@ -94,7 +95,7 @@ public sealed class Rollback
     /// changed.</exception>
     public long? ApplyKick(in KickInput kick)
     {
-        Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
+        RefuseForgotten("kick.tick", kick.Tick);
         RefuseUnknownPlaces(kick.Tick);
 
         // The log rejects a ball that the runner does not have, before anything changes.
@@ -112,7 +113,7 @@ public sealed class Rollback
     /// changed.</exception>
     public long? Remove(long tick, int player = 0, int ball = 0)
     {
-        Check.AtLeast(nameof(tick), tick, OldestTick);
+        RefuseForgotten(nameof(tick), tick);
         RefuseUnknownPlaces(tick);
         return Runner.Kicks.Remove(tick, player, ball) ? PlayAgain(tick) : null;
     }
@@ -208,6 +209,7 @@ public sealed class Rollback
         if (!_replays)
         {
             OldestTick = tick;
+            _begun = tick;
             _bodies?.RemoveFrom(0);
             _bodiesMoved = -1;
             Keep(tick);
@@ -252,6 +254,18 @@ public sealed class Rollback
         if (_replays)
         {
             _bodies?.Apply(tick, bodies);
+        }
+    }
+
+    /// <summary>Throws if the state of a tick is no longer stored.</summary>
+    private void RefuseForgotten(string field, long tick)
+    {
+        if (tick < OldestTick)
+        {
+            string cause = OldestTick == _begun
+                ? "The history begins there, because the Rollback was attached, or a ball was placed or restored, at that tick"
+                : FormattableString.Invariant($"This Rollback stores {Ticks} ticks. Attach one with more ticks, or apply a server's state");
+            throw Check.Refusal(field, FormattableString.Invariant($"{tick}"), FormattableString.Invariant($"{OldestTick} or more. {cause}"));
         }
     }
 

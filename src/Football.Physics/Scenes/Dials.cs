@@ -51,7 +51,7 @@ public sealed record Dials
     /// <summary>Returns a copy of a scene with its ball and ground in this condition.</summary>
     /// <remarks>Obstacles, goals and bodies stay the same, but the ball's pressure changes its bounce on them too.</remarks>
     /// <param name="scene">The scene; it is not changed.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A dial is out of range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A dial is out of range, or the pressure takes too much air from a light ball.</exception>
     public Scene Apply(Scene scene)
     {
         if (scene is null)
@@ -68,10 +68,18 @@ public sealed record Dials
         // The change in the mass of the air inside the ball: Δm = Δp V/(R T).
         double volume = 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius;
         double air = (Pressure - UsualPressure) * Bar * volume / GasEnergy;
+        double mass = (ball.Mass * (1.0 + (0.1 * Wetness) + (0.05 * Mud))) + air;
+        if (ball.Mass > 0 && !(mass >= BallProperties.LeastMass))
+        {
+            throw Check.Conflict(
+                "dials.pressure",
+                FormattableString.Invariant($"dials.pressure is {Pressure:R}, which changes ball.mass from {ball.Mass:R} to {mass:R} kg. Use a pressure or a ball with which it stays above {BallProperties.LeastMass:R} kg."));
+        }
+
         DragCurve curve = ball.DragCurve;
         return ball with
         {
-            Mass = (ball.Mass * (1.0 + (0.1 * Wetness) + (0.05 * Mud))) + air,
+            Mass = mass,
             Bounce = ball.Bounce * Math.Sqrt((1.0 - (UsualLoss * Math.Sqrt(UsualPressure / Pressure))) / (1.0 - UsualLoss)),
             DragCurve = Wear > 0 ? curve.WithCrisisAt(curve.CriticalReynolds * Elementary.Exp(0.14 * Wear * Elementary.Log(80.0 / 272.0))) : curve,
         };

@@ -32,13 +32,38 @@ public sealed class RollbackLimitTests
             Refused($"ball is {ball}", () => rollback.ApplyServerState(25, runner.State, ball));
         }
 
-        Refused("kick is 19", () => rollback.ApplyKick(new KickInput(19, default, default)));
+        Refused("kick.tick is 19; allowed: 20 or more. This Rollback stores 10 ticks. Attach one with more ticks, or apply a server's state.", () => rollback.ApplyKick(new KickInput(19, default, default)));
         Refused("kick.ball is 3", () => rollback.ApplyKick(new KickInput(25, default, default, ball: 3)));
-        Refused("tick is 19", () => rollback.Remove(19));
+        Refused("tick is 19; allowed: 20 or more. This Rollback", () => rollback.Remove(19));
         Refused("ticks is 0", () => rollback.SyncTest(0));
         Refused("ticks is 11", () => rollback.SyncTest(11));
         Assert.Equal((3, before), (runner.Kicks.Count, Snapshot.Hash(runner.States)));
         Assert.Null(rollback.SyncTest(10));
+    }
+
+    /// <summary>A kick from before a restart is refused by its true cause: the history begins there.</summary>
+    [Fact]
+    public void A_kick_from_before_the_history_is_refused_by_its_cause()
+    {
+        FixedStepRunner runner = Group();
+        Play(runner, 5);
+        var rollback = new Rollback(runner, 32);
+        Play(runner, 20);
+        runner.RestoreAll(30, [.. Enumerable.Range(0, 3).Select(ball => runner.StateOf(ball))]);
+        const string Cause = "; allowed: 30 or more. The history begins there, because the Rollback was attached, or a ball was placed or restored, at that tick.";
+        Refused("kick.tick is 25" + Cause, () => rollback.ApplyKick(new KickInput(25, default, default)));
+        Refused("tick is 3" + Cause, () => rollback.Remove(3));
+    }
+
+    [Fact]
+    public void A_state_of_another_time_is_named()
+    {
+        FixedStepRunner runner = Group();
+        Play(runner, 9);
+        BallState[] states = [.. Enumerable.Range(0, 3).Select(ball => runner.StateOf(ball))];
+        states[2].Time = 3;
+        string message = Assert.Throws<ArgumentException>(() => runner.RestoreAll(9, states)).Message;
+        Assert.StartsWith($"states[2].time is 3; allowed: {states[0].Time.ToString("R", System.Globalization.CultureInfo.InvariantCulture)}, the time of the first ball.", message, StringComparison.Ordinal);
     }
 
     [Fact]

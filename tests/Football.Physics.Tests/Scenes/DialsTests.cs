@@ -33,6 +33,17 @@ public sealed class DialsTests
     public void Air_has_mass() =>
         Assert.Equal(0.43 + (0.3e5 * 5.5753e-3 / (287.058 * 293.15)), new Dials { Pressure = 1.1 }.Apply(Scene.Default).Ball.Mass, 1e-6);
 
+    /// <summary>A soft beach ball of 3 g would weigh less than nothing: the refusal names the dial, and both masses.</summary>
+    [Fact]
+    public void A_pressure_that_takes_the_mass_of_a_light_ball_is_refused_by_its_name()
+    {
+        Scene light = Scene.Default with { Ball = new BallProperties { Mass = 0.003, Radius = 0.2 } };
+        ArgumentOutOfRangeException refusal = Assert.Throws<ArgumentOutOfRangeException>(() => new Dials { Pressure = 0.6 }.Apply(light));
+        Assert.Equal("dials.pressure", refusal.ParamName);
+        Assert.StartsWith("dials.pressure is 0.6, which changes ball.mass from 0.003 to -0.004", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" kg. Use a pressure or a ball with which it stays above 0.001 kg.", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Each_changes_what_its_page_names()
     {
