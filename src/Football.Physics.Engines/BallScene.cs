@@ -157,8 +157,10 @@ public sealed class BallScene
     /// <summary>Converts the state of the ball from <see cref="Game"/> to <see cref="Ahead"/>, as the start of a prediction.</summary>
     /// <remarks>In the converted state, a ball that rests on a keeper or an engine's collider is in the air.</remarks>
     /// <param name="ball">The state of the ball in <see cref="Game"/>.</param>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public BallState PredictionState(in BallState ball)
     {
+        BallState.Launched(in ball);
         bool isElsewhere = !ReferenceEquals(_game, _ahead) && ball.Carrier >= PartsBefore(Game.World, Game.Scene.Goals.Count);
         return isElsewhere ? Ahead.Continue(Game, in ball) : ball;
     }
@@ -176,10 +178,12 @@ public sealed class BallScene
     /// <summary>Moves the keepers to their positions at the start of a step.</summary>
     /// <remarks>With a <see cref="Rollback"/>, call it in <see cref="FixedStepRunner.MoveBodies"/>.</remarks>
     /// <param name="ball">The ball before the step.</param>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public void BeforeStep(in BallState ball) => Follow(in ball, isPlaced: false);
 
     /// <summary>Updates the bulges of the nets after a step. Does not allocate.</summary>
     /// <param name="ball">The ball after the step.</param>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public void AfterStep(in BallState ball) => Bulges.Follow(in ball);
 
     /// <summary>Returns the goal that an event belongs to: its opening, a net, a post or the bar.</summary>
@@ -222,6 +226,7 @@ public sealed class BallScene
 
     private void Follow(in BallState ball, bool isPlaced)
     {
+        BallState.Launched(in ball);
         if (_keepers.Count > 0)
         {
             BallState seen = PredictionState(in ball);

@@ -122,9 +122,16 @@ public sealed partial class KeeperDive
 
     /// <summary>Watches the ball and moves his body; call it at the start of every step.</summary>
     /// <param name="ball">The ball before the step, in the scene for predictions.</param>
-    /// <param name="isPlaced">True if a <see cref="PlaceInput"/> placed the ball at this step: he then stands at his position again. Default false.</param>
-    public void Follow(in BallState ball, bool isPlaced = false)
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
+    public void Follow(in BallState ball) => Follow(in ball, isPlaced: false);
+
+    /// <summary>Watches the ball and moves his body, in a step that may begin with a restart; call it at the start of every step.</summary>
+    /// <param name="ball">The ball before the step, in the scene for predictions.</param>
+    /// <param name="isPlaced">True if a <see cref="PlaceInput"/> placed the ball at this step: he then stands at his position again.</param>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
+    public void Follow(in BallState ball, bool isPlaced)
     {
+        BallState.Launched(in ball);
         if (!(ball.Time > _now))
         {
             GoBack(ball.Time);

@@ -50,8 +50,10 @@ public sealed class NetBulges
 
     /// <summary>Updates the bulges to the state of the ball. Does not allocate.</summary>
     /// <param name="state">The current state of the ball. If its time has gone back, nets without the ball hang flat.</param>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     public void Follow(in BallState state)
     {
+        BallState.Launched(in state);
         double passed = state.Time >= _time ? state.Time - _time : double.PositiveInfinity;
         _time = state.Time;
         for (int i = 0; i < _bulges.Length; i++)

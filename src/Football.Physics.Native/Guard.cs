@@ -59,6 +59,11 @@ internal static unsafe class Guard
     public static ref BallState State(NativeState* state, CompiledScene scene)
     {
         Given(state, "state");
+        if (!((BallState*)state)->IsLaunched)
+        {
+            throw NeverLaunched("state");
+        }
+
         scene.Simulator.Validate(in *(BallState*)state);
         return ref *(BallState*)state;
     }
@@ -72,6 +77,11 @@ internal static unsafe class Guard
         {
             for (; i < count; i++)
             {
+                if (!((BallState*)(states + i))->IsLaunched)
+                {
+                    throw NeverLaunched($"states[{Text(i)}]");
+                }
+
                 scene.Simulator.Validate(in *(BallState*)(states + i));
             }
         }
@@ -265,6 +275,8 @@ internal static unsafe class Guard
 
         return status;
     }
+
+    private static ArgumentException NeverLaunched(string name) => new($"{name} was never launched. Launch the ball first.");
 
     private static ArgumentException Null(string name) => Refusal(name, "null", "a pointer");
 

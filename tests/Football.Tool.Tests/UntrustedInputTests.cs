@@ -47,7 +47,8 @@ public sealed class UntrustedInputTests : IDisposable
 
     [Theory]
     [InlineData("\"of\": 1", "\"of\": 2147483647", "shard.of in ", "is 2147483647; allowed: 1 … 1000000.")]
-    [InlineData("\"index\": 1", "\"index\": 2", "shard.index in ", "is 2; allowed: 1 … 1.")]
+    [InlineData("\"index\": 1", "\"index\": 2", "shard.index in ", "is 2; allowed: 1.")]
+    [InlineData("\"first\": 0", "\"first\": 7", "shard.first in ", "is 7; allowed: 0.")]
     [InlineData("\"rows\": 20", "\"rows\": 1000000000", "rows in ", "is 1000000000; allowed: 0 … 20.")]
     [InlineData("\"count\": 20", "\"count\": 9223372036854775807", "count in ", "is 9223372036854775807; allowed: 1 … 1000000000000000.")]
     [InlineData("\"header\": ", "\"header\": 9", "files[0].header in ", ".")]

@@ -52,7 +52,7 @@ int main(void)
     EXPECT(FP_HANDLE, "scene is null", fp_step(NULL, &state, 0.01, NULL, 0, NULL));
     EXPECT(FP_HANDLE, "scene is not a valid handle", fp_step((fp_scene *)&state, &state, 0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "state is null", fp_step(scene, NULL, 0.01, NULL, 0, NULL));
-    EXPECT(FP_ARGUMENT, "state.orientation", fp_step(scene, &empty, 0.01, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "state was never launched", fp_step(scene, &empty, 0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "dt is NaN", fp_step(scene, &state, NAN, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "dt is -0.01", fp_step(scene, &state, -0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "events is null", fp_step(scene, &state, 0.01, NULL, 4, &count));

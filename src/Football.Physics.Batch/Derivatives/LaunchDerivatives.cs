@@ -80,6 +80,7 @@ public sealed class LaunchDerivatives
     /// <param name="duration">The longest run, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {

@@ -126,7 +126,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
                 Leave(new Separation(_world, SeparationKind.NetLeft, net, 0, place.X, 0, deepest, deepestSide), reach, ref best, ref first);
                 Leave(new Separation(_world, SeparationKind.NetLeft, net, 1, place.Y, 0, deepest, deepestSide), reach, ref best, ref first);
             }
-            else if ((near.Nets >> net & 1) != 0)
+            else if ((near.Nets >> net & 1) != 0 && !SceneCheck.TearsNets(in s, _world))
             {
                 var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend);
                 double at = TimeOfImpact.First(ref sheet, new SearchSpan(_path.Length, best));

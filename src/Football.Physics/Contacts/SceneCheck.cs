@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Contacts;
 
 /// <summary>Validates that a state read from elsewhere fits a scene: its references exist, and the position of the ball is
@@ -5,8 +7,9 @@ namespace FootballPhysics.Contacts;
 /// <remarks>Moved and pushed objects may have any position, because a state does not store them.</remarks>
 internal static class SceneCheck
 {
-    /// <summary>Maximum speed of a ball in a net, m/s: more than the highest fall gives.</summary>
-    private const double FastestInNets = 1e4;
+    /// <summary>Maximum speed of a ball in a net, m/s, if it had no spin: more than the highest fall gives. A faster ball tears through.</summary>
+    private const double FastestInNets = 2e5;
+    private const double MostInNets = FastestInNets * FastestInNets;
 
     /// <summary>Maximum distance behind the line of a ball that entered a goal without passing the line, m.</summary>
     /// <remarks>An object may have pushed it there.</remarks>
@@ -16,6 +19,13 @@ internal static class SceneCheck
     /// fits.</summary>
     public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
     {
+        // A contact may turn spin into speed, so their energy has a common bound: v² + α r² ω².
+        double square = EnergyOf(in s, world);
+        if (!(square <= StateCheck.FastestSpeed * StateCheck.FastestSpeed))
+        {
+            return ("state.spin", s.Spin.ToString("R", null), FormattableString.Invariant($"with the velocity, the energy of at most {StateCheck.FastestSpeed:R} m/s"));
+        }
+
         // Fast path for the most common state: on level ground or in the air, not in a net or a goal.
         bool isInAny = (s.Nets | s.NetSides | s.GoalsEntered | s.GoalsPassed) != 0;
         if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= ContactTolerances.CarrierDistance)))
@@ -23,7 +33,7 @@ internal static class SceneCheck
             return null;
         }
 
-        if (isInAny && FaultOfPassages(in s, world) is { } passage)
+        if (isInAny && FaultOfPassages(in s, square, world) is { } passage)
         {
             return passage;
         }
@@ -31,7 +41,14 @@ internal static class SceneCheck
         return s.Motion == MotionState.Airborne && s.Carrier == 0 ? null : FaultOfCarrier(in s, world);
     }
 
-    private static (string Field, string Value, string Allowed)? FaultOfPassages(in BallState s, World world)
+    /// <summary>True if a ball is too fast for any net.</summary>
+    public static bool TearsNets(in BallState s, World world) => EnergyOf(in s, world) > MostInNets;
+
+    /// <summary>v² + α r² ω², m²/s².</summary>
+    private static double EnergyOf(in BallState s, World world) =>
+        s.Velocity.LengthSquared + (world.Ball.InertiaFactor * world.Ball.Radius * world.Ball.Radius * s.Spin.LengthSquared);
+
+    private static (string Field, string Value, string Allowed)? FaultOfPassages(in BallState s, double square, World world)
     {
         if (!IsWithin(s.Nets | s.NetSides, world.Nets.Length))
         {
@@ -43,10 +60,17 @@ internal static class SceneCheck
             return ("state.goals", Text(s.GoalsEntered | s.GoalsPassed), $"bits of the {world.Goals.Length} goals of the scene");
         }
 
+        // The net takes the ball's energy: the deeper it is, the slower. So a state that is taken here stays valid in the net.
+        double left = MostInNets - square;
+        if (s.Nets != 0 && !(left >= 0))
+        {
+            return ("state.velocity", s.Velocity.ToString("R", null), FormattableString.Invariant($"with the spin, the energy of at most {FastestInNets:R} m/s in a net"));
+        }
+
         for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
         {
             // The ball's momentum may carry it into the net, even past the net's edges: allow for this distance.
-            if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
+            if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(Math.Sqrt(left)))
             {
                 return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");
             }

@@ -79,6 +79,11 @@ public sealed partial class FixedStepRunner
         Kicks.Add(new PlaceInput(Tick, 0, ball, position, velocity, spin, orientation));
     }
 
+    /// <summary>Returns the pose in which to draw a ball after <see cref="Advance"/>.</summary>
+    /// <param name="ball">The index of the ball, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
+
     /// <summary>Returns the pose in which to draw the ball, at a fraction of the last step.</summary>
     /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events in between. A bouncing
     /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per step.</remarks>

@@ -28,6 +28,7 @@ public sealed partial class FixedStepRunner
     private readonly BallState[] _before;
     private RigidMotion[] _motions;
     private Simulator _simulator;
+    private long _claim;
     private long _kickTicks = 36_000;
     private int _wireTicks;
 
@@ -76,6 +77,7 @@ public sealed partial class FixedStepRunner
         _before = new BallState[_states.Length];
         _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
         simulator.World.Bodies?.BeginMoves();
+        _claim = simulator.World.Bodies?.Claim() ?? 0;
         double x = 0;
         for (int i = 0; i < _states.Length; i++)
         {
@@ -116,6 +118,7 @@ public sealed partial class FixedStepRunner
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
+            _claim = value.World.Bodies?.Claim() ?? 0;
             _motions = new RigidMotion[value.World.GivesWay ? value.World.Movers : 0];
             StopRecording();
             Restore(Tick, ball.State);
@@ -255,15 +258,12 @@ public sealed partial class FixedStepRunner
         return _states[ball];
     }
 
-    /// <summary>Returns the pose in which to draw a ball after <see cref="Advance"/>.</summary>
-    /// <param name="ball">The index of the ball, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
 
     /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps taken.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A later runner uses the bodies of this scene; nothing has changed.</exception>
     /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are dropped.</remarks>
     public int Advance(double frameTime)
     {
@@ -292,6 +292,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Takes one step, independent of the frame time.</summary>
     /// <remarks>An exception from a custom force propagates; the runner then stays before the step, without events.</remarks>
+    /// <exception cref="InvalidOperationException">A later runner uses the bodies of this scene; nothing has changed.</exception>
     public void Step()
     {
         Events.Clear();
@@ -334,12 +335,7 @@ public sealed partial class FixedStepRunner
         {
             ref readonly BallState state = ref states[i];
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
-            BallState.Launched(in state);
-            if (state.Time != states[0].Time)
-            {
-                throw new ArgumentException(FormattableString.Invariant($"states[{i}].time is {state.Time:R}, but states[0].time is {states[0].Time:R}. The balls of a group share one clock: give all states the same time."), nameof(states));
-            }
-
+            BallGroup.CheckState(in state, i, states[0].Time);
             SimulatorOf(i).Validate(in state);
         }
 
@@ -374,6 +370,7 @@ public sealed partial class FixedStepRunner
         // Save everything that a step changes, including its kicks: a failed step must change nothing.
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
+        world.Bodies?.CheckClaim(_claim);
         if (_motions.Length > 0)
         {
             world.ReadMotions(_motions);

@@ -85,9 +85,10 @@ public static class Snapshot
     /// <summary>Writes a state as bytes, little-endian on every machine.</summary>
     /// <param name="state">The state.</param>
     /// <param name="destination">The destination; at least <see cref="Size"/> bytes.</param>
-    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
+    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short, or <paramref name="state"/> was never launched.</exception>
     public static void Write(in BallState state, Span<byte> destination)
     {
+        BallState.Launched(in state);
         Check.Bytes(nameof(destination), destination.Length, Size);
         Span<ulong> words = stackalloc ulong[StateFields.Count];
         StateFields.Read(in state, words);
@@ -149,11 +150,12 @@ public static class Snapshot
     /// <returns>False if the state needs the full size of <see cref="Write"/>; the destination is then unspecified.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
+    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short, or <paramref name="state"/> was never launched.</exception>
     public static bool TryWriteQuantized(this FixedStepRunner runner, in BallState state, Span<byte> destination, int ball = 0)
     {
         Check.Given(nameof(runner), runner);
         Check.Index(nameof(ball), ball, runner.Balls);
+        BallState.Launched(in state);
         return WireForm.TryWrite(runner.SimulatorOf(ball), runner.TimeStep, in state, destination);
     }
 

@@ -48,7 +48,7 @@ public sealed class GroupLookAheadRun
     /// <param name="from">The states of the balls; they are copied.</param>
     /// <param name="request">The duration, and the event that ends it. A plane or a point is not supported.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The number of states differs from the number of balls.</exception>
+    /// <exception cref="ArgumentException">The number of states differs from the number of balls, or a state was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public void Start(BallState[] from, LookAheadRequest request)
     {
@@ -73,7 +73,7 @@ public sealed class GroupLookAheadRun
     /// <summary>Takes a number of steps, or fewer if the look-ahead ends.</summary>
     /// <param name="maximumSteps">The maximum number of steps; at least 1.</param>
     /// <returns>True if the look-ahead is finished; false if it will continue.</returns>
-    /// <exception cref="ArgumentException">A state was never launched, or the times of the states differ.</exception>
+    /// <exception cref="ArgumentException">The times of the states differ.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maximumSteps"/> is below 1.</exception>
     /// <exception cref="InvalidOperationException">
     /// No look-ahead is running, another look-ahead has used a trajectory, or a custom force is not finite.
@@ -127,11 +127,13 @@ public sealed class GroupLookAheadRun
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>
     /// <returns>Also false if the ball's time is outside the part computed so far, unless the ball rests at the end of that part.</returns>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball, or <paramref name="tolerance"/> is negative.</exception>
     public bool Follows(int index, in BallState ball, double tolerance = 1e-5)
     {
         Check.Index(nameof(index), index, _paths.Length);
         Check.NotNegative(nameof(tolerance), tolerance);
+        BallState.Launched(in ball);
         return _paths[index].Uses == _uses[index] && _uses[index] > 0 && _paths[index].Has(in ball, tolerance);
     }
 }

@@ -44,6 +44,7 @@ public sealed class LookAheadRun
     /// <param name="from">The state of the ball; it is copied.</param>
     /// <param name="request">The duration and the stop conditions.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="from"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public void Start(in BallState from, LookAheadRequest request)
     {
@@ -121,10 +122,12 @@ public sealed class LookAheadRun
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>
     /// <returns>Also false if the ball's time is outside the part computed so far, unless the ball rests at the end of that part.</returns>
+    /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tolerance"/> is negative.</exception>
     public bool Follows(in BallState ball, double tolerance = 1e-5)
     {
         Check.NotNegative(nameof(tolerance), tolerance);
+        BallState.Launched(in ball);
         return _request is not null && Path.Uses == _uses && Path.Has(in ball, tolerance);
     }
 

@@ -20,6 +20,7 @@ public static class SimulatorExtensions
     /// <param name="into">Receives the path and the events.</param>
     /// <remarks>Does not allocate once the trajectory is large enough. An exception from a custom force propagates; the path then ends before the
     /// failed step.</remarks>
+    /// <exception cref="ArgumentException"><paramref name="from"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite, or is too stiff for any step.</exception>
@@ -178,6 +179,7 @@ public static class SimulatorExtensions
         request.CheckClock(in from[0]);
         for (int i = 0; i < into.Length; i++)
         {
+            BallState.Launched(in from[i]);
             Check.GivenItem(nameof(into), i, into[i], "a trajectory");
         }
     }

@@ -47,9 +47,11 @@ public sealed class TrajectoryCache
     /// <returns>True if the path was recomputed; false if it was kept and, if necessary, extended.</returns>
     /// <remarks>Does not allocate. An exception from a custom force propagates; the path then ends before the failed step, and the next update
     /// recomputes it.</remarks>
+    /// <exception cref="ArgumentException"><paramref name="real"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The ball's clock is so large that the steps of the request would not advance it.</exception>
     public bool Update(in BallState real)
     {
+        BallState.Launched(in real);
         _request.CheckClock(in real);
         bool keeps = _valid && Path.Has(in real, Tolerance);
 

@@ -143,6 +143,9 @@ public sealed record BallProperties
     /// <summary>The moment of inertia I = α m r², in kg m².</summary>
     public double MomentOfInertia => InertiaFactor * Mass * Radius * Radius;
 
+    /// <summary>The minimum mass of a ball, in kg.</summary>
+    internal const double LeastMass = 0.001;
+
     /// <summary>The maximum damping of this ball's spin, in N m s: it keeps every decay time above 10 µs.</summary>
     internal double MostDamping => Math.Min(1.0, 1e5 * MomentOfInertia);
 

@@ -14,9 +14,6 @@ public sealed record Dials
     /// <summary>L, the share of energy that a ball of that pressure loses on concrete: 1 − 0.861².</summary>
     private const double UsualLoss = 0.258679;
 
-    /// <summary>The minimum of <see cref="BallProperties.Mass"/>, in kg.</summary>
-    private const double LeastMass = 0.001;
-
     /// <summary>The specific gas constant of air times 20 °C, in J/kg.</summary>
     private const double GasEnergy = Weather.DryGas * 293.15;
 
@@ -55,7 +52,7 @@ public sealed record Dials
     /// <summary>Returns a copy of a scene with its ball and ground in this condition.</summary>
     /// <remarks>Obstacles, goals and bodies stay the same, but the ball's pressure changes its bounce on them too.</remarks>
     /// <param name="scene">The scene; it is not changed.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A dial is out of range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A dial is out of range, or the pressure takes too much air from a light ball.</exception>
     public Scene Apply(Scene scene)
     {
         if (scene is null)
@@ -73,10 +70,10 @@ public sealed record Dials
         double volume = 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius;
         double air = (Pressure - UsualPressure) * Bar * volume / GasEnergy;
         double dry = ball.Mass * (1.0 + (0.1 * Wetness) + (0.05 * Mud));
-        if (dry + air < LeastMass && dry >= LeastMass)
+        if (dry + air < BallProperties.LeastMass && dry >= BallProperties.LeastMass)
         {
             // Name the dial: the mass that the game has set is in range.
-            double least = Math.Ceiling(1000.0 * (UsualPressure + ((LeastMass - dry) * GasEnergy / (Bar * volume)))) / 1000.0;
+            double least = Math.Ceiling(1000.0 * (UsualPressure + ((BallProperties.LeastMass - dry) * GasEnergy / (Bar * volume)))) / 1000.0;
             throw Check.Refusal("dials.pressure", Pressure.ToString("R", CultureInfo.InvariantCulture), FormattableString.Invariant($"{least:R} … 1.1 for a ball of {ball.Mass:R} kg and {ball.Radius:R} m"));
         }
 

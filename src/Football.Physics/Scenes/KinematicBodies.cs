@@ -31,6 +31,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     private long _version;
     private long _since;
     private bool _lookAhead;
+    private long _claims;
 
     /// <summary>The number of bodies.</summary>
     public int Count => _bodies.Length;
@@ -131,6 +132,20 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
     /// <summary>Fixes the number of bodies.</summary>
     internal void Use() => _inUse = true;
+
+    /// <summary>Gives the bodies to a new runner, because only one runner at a time can move them. Returns the number of its claim.</summary>
+    internal long Claim() => ++_claims;
+
+    /// <summary>Throws if a later runner has claimed the bodies.</summary>
+    /// <param name="claim">The runner's claim.</param>
+    /// <exception cref="InvalidOperationException">There is a later claim.</exception>
+    internal void CheckClaim(long claim)
+    {
+        if (claim != _claims)
+        {
+            throw new InvalidOperationException("A FixedStepRunner that was created later uses the bodies of this scene. Create a scene with bodies of its own for each runner.");
+        }
+    }
 
     /// <summary>Returns the time for which a ball on a straight path cannot hit any body, in s; at most the duration of the path.</summary>
     /// <remarks>It depends only on the motions of the bodies, and not on earlier searches.</remarks>

@@ -34,7 +34,7 @@ internal static class SceneFields
     /// <summary>The numbers of a ball.</summary>
     public static NumberField<BallProperties>[] Ball { get; } =
     [
-        new("mass", "kg", "mass", "law: 0.41 … 0.45", 0.001, 100, b => b.Mass, (b, v) => b with { Mass = v }),
+        new("mass", "kg", "mass", "law: 0.41 … 0.45", BallProperties.LeastMass, 100, b => b.Mass, (b, v) => b with { Mass = v }),
         new("radius", "m", "radius", "law: 68 … 70 cm around", 0.005, 5, b => b.Radius, (b, v) => b with { Radius = v }),
         new("inertiaFactor", "", "moment of inertia, in m r²", "derived: a thin shell", 0.1, 1, b => b.InertiaFactor, (b, v) => b with { InertiaFactor = v }),
         new("bounce", "", "factor on every restitution", "derived: 1 at 0.8 bar", 0, 1.2, b => b.Bounce, (b, v) => b with { Bounce = v }),

@@ -128,8 +128,9 @@ public sealed class Simulator
     /// <summary>Throws if no ball in this scene can have this state.</summary>
     /// <remarks>Use it on states read from a file or passed through the C API. A call takes a few nanoseconds.</remarks>
     /// <param name="state">The state.</param>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// The state was never launched, a value is not finite or is out of range, or the state does not fit this scene: the surface, net or goal of the state does
+    /// A value is not finite or is out of range, or the state does not fit this scene: the surface, net or goal of the state does
     /// not exist, or the ball is not on it. The positions of bodies and engine colliders are not checked.
     /// </exception>
     public void Validate(in BallState state)
@@ -145,10 +146,13 @@ public sealed class Simulator
     /// <param name="state">The ball; unchanged if an exception is thrown.</param>
     /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
     /// <param name="spin">The spin, in rad/s; at most 10 000.</param>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
     {
+        BallState.Launched(in state);
+
         // Do not validate the position, because the ball may have left the range of a launch.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
@@ -223,13 +227,14 @@ public sealed class Simulator
     /// <paramref name="dt"/> is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The ball is unchanged.
     /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite; the message names it. If a custom force throws, the ball
     /// is unchanged.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
     {
-        if (!(dt >= 0 && dt <= Limits.Time) || log is null)
+        if (!(dt >= 0 && dt <= Limits.Time) || log is null || !state.IsLaunched)
         {
-            RefuseStep(dt, log);
+            RefuseStep(in state, dt, log);
         }
 
         // Check the times of the bodies first, so that the step throws before anything changes.
@@ -282,16 +287,18 @@ public sealed class Simulator
 
     private void RefuseState(in BallState state)
     {
+        BallState.Launched(in state);
         StateCheck.Validate(in state);
         (string field, string value, string allowed) = SceneCheck.Fault(in state, _world)
             ?? ("state.clearUntil", state.ClearUntil.ToString("R", System.Globalization.CultureInfo.InvariantCulture), "a time until which nothing is in the way");
         throw Check.Refusal(field, value, allowed);
     }
 
-    private static void RefuseStep(double dt, StepLog? log)
+    private static void RefuseStep(in BallState state, double dt, StepLog? log)
     {
         Check.Within("dt", dt, 0, Limits.Time);
-        throw new ArgumentNullException(nameof(log));
+        Check.Given(nameof(log), log);
+        BallState.Launched(in state);
     }
 
     /// <summary>Advances a ball in equal steps until an event or the end of the duration.</summary>
@@ -310,6 +317,7 @@ public sealed class Simulator
     /// value and the range.
     /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, Action<BallState>? afterStep = null)
     {
         CheckRun(in state, timeStep, duration, stopAt);
@@ -356,6 +364,7 @@ public sealed class Simulator
         Check.AtLeast("timeStep", timeStep, duration / MostSteps);
         Check.Defined("stopAt", stopAt, (int)stopAt, 3);
         Check.Advances("timeStep", timeStep, state.Time + duration);
+        BallState.Launched(in state);
     }
 
     /// <summary>Runs with arguments that are already validated.</summary>

@@ -188,11 +188,17 @@ public struct BallState : IFormattable
         Angle = 0;
     }
 
-    /// <summary>Returns a state, or throws if it was never launched.</summary>
-    internal static BallState Launched(in BallState state) =>
-        state.BaseOrientation == default
-            ? throw new ArgumentException("The state is uninitialised. Create it with Simulator.Launch or copy it from a Ball.", nameof(state))
-            : state;
+    /// <summary>False if the state was never launched: all its bytes are zero.</summary>
+    internal readonly bool IsLaunched => BaseOrientation.W != 0 || BaseOrientation.X != 0 || BaseOrientation.Y != 0 || BaseOrientation.Z != 0;
+
+    /// <summary>Throws if a state was never launched.</summary>
+    internal static void Launched(in BallState state)
+    {
+        if (!state.IsLaunched)
+        {
+            throw new ArgumentException("The state is uninitialised. Create it with Simulator.Launch or copy it from a Ball.", nameof(state));
+        }
+    }
 }
 
 /// <summary>The position, velocity, spin and air distance that a general step integrates.</summary>

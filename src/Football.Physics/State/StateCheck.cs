@@ -9,7 +9,9 @@ internal static class StateCheck
     /// <remarks>They allow for a fall without drag and for the roll of the smallest ball. Within them, every step gives finite numbers.</remarks>
     private const double Farthest = 1e45;
 
-    private const double FastestSpeed = 1e30;
+    /// <summary>The largest speed, in m/s; in a scene, of the speed that the ball would have if it gave its spin to its motion.</summary>
+    public const double FastestSpeed = 1e30;
+
     private const double FastestSpin = 1e35;
     private const double LatestTime = 1e15;
 
@@ -21,6 +23,9 @@ internal static class StateCheck
 
     /// <summary>The time for which a contact with a moving object limits the speed from the next contact, in s.</summary>
     private const double Lately = 0.1;
+
+    /// <summary>The relative error of a contact's time: the times of the parts of a step add up to its end only up to rounding.</summary>
+    private const double ClockRounding = 1e-12;
 
     /// <summary>The allowed deviation from 1 of the squared length of a unit vector or quaternion.</summary>
     private const double Rounding = 1e-6;
@@ -37,7 +42,7 @@ internal static class StateCheck
             && state.ClearUntil >= 0 && state.ClearUntil <= LatestClear && (state.ClearIn != 0 || state.ClearUntil == 0)
             && state.AirDistance >= 0 && state.AirDistance <= Farthest
             && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed
-            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= SqueezedUntil(state.Time)))
+            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= LatestSqueeze(state.Time)))
         {
             return false;
         }
@@ -58,6 +63,8 @@ internal static class StateCheck
 
     /// <summary>Returns the time until which a contact with a moving object limits the next contact, in s.</summary>
     public static double SqueezedUntil(double time) => time + Lately;
+
+    private static double LatestSqueeze(double time) => SqueezedUntil((1 + ClockRounding) * time);
 
     /// <summary>Throws if no ball can have this state.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
@@ -95,6 +102,6 @@ internal static class StateCheck
         Check.Within("state.clearUntil", state.ClearUntil, 0, state.ClearIn != 0 ? LatestClear : 0);
         Check.Within("state.airDistance", state.AirDistance, 0, Farthest);
         Check.Within("state.squeezeSpeed", state.SqueezeSpeed, 0, FastestSpeed);
-        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, SqueezedUntil(state.Time));
+        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, LatestSqueeze(state.Time));
     }
 }

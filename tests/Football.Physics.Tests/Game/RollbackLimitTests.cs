@@ -44,6 +44,31 @@ public sealed class RollbackLimitTests
         Assert.Null(rollback.SyncTest(10));
     }
 
+    /// <summary>A kick from before a restart is refused by its true cause: the history begins there.</summary>
+    [Fact]
+    public void A_kick_from_before_the_history_is_refused_by_its_cause()
+    {
+        FixedStepRunner runner = Group();
+        Play(runner, 5);
+        var rollback = new Rollback(runner, 32);
+        Play(runner, 20);
+        runner.RestoreAll(30, [.. Enumerable.Range(0, 3).Select(ball => runner.StateOf(ball))]);
+        const string Cause = "; allowed: 30 or later, because the history begins there: the Rollback was created, or the runner's state was set, at that tick.";
+        Refused("kick.tick is 25" + Cause, () => rollback.ApplyKick(new KickInput(25, default, default)));
+        Refused("tick is 3" + Cause, () => rollback.Remove(3));
+    }
+
+    [Fact]
+    public void A_state_of_another_time_is_named()
+    {
+        FixedStepRunner runner = Group();
+        Play(runner, 9);
+        BallState[] states = [.. Enumerable.Range(0, 3).Select(ball => runner.StateOf(ball))];
+        states[2].Time = 3;
+        string message = Assert.Throws<ArgumentException>(() => runner.RestoreAll(9, states)).Message;
+        Assert.StartsWith($"states[2].time is 3; allowed: {states[0].Time.ToString("R", System.Globalization.CultureInfo.InvariantCulture)}, the time of the first ball.", message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void A_state_that_a_ball_of_the_scene_cannot_have_is_refused()
     {

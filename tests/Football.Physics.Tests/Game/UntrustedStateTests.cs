@@ -38,6 +38,8 @@ public sealed class UntrustedStateTests
     [InlineData("clear through a wall")]
     [InlineData("squeeze")]
     [InlineData("squeeze speed")]
+    [InlineData("fast in a net")]
+    [InlineData("spin and speed")]
     public void What_no_ball_makes_is_refused(string what)
     {
         var simulator = new Simulator(s_scene);
@@ -141,6 +143,16 @@ public sealed class UntrustedStateTests
             case "squeeze":
                 state.SqueezeUntil = state.Time + 1;
                 break;
+            case "fast in a net":
+                state.Position = new Vector3d(0, 1, -54);
+                state.Velocity = new Vector3d(0, 0, -1e24);
+                state.Nets = 1;
+                break;
+            case "spin and speed":
+                // Each is within its own bound.
+                state.Velocity = new Vector3d(0, 0, 9e29);
+                state.SetFlightSpin(new Vector3d(0, 9e30, 0));
+                break;
             case "squeeze speed":
                 state.SqueezeSpeed = double.NaN;
                 break;
@@ -194,6 +206,51 @@ public sealed class UntrustedStateTests
         // They have been in nets and on things.
         Assert.True(nets > 500, $"{nets} ticks in nets");
         Assert.True(carried > 500, $"{carried} ticks on things");
+    }
+
+    /// <summary>A state of any speed in a net, and of any spin, is refused at once, or stays valid in the steps that follow.</summary>
+    [Theory]
+    [ProfileData]
+    public void What_is_taken_stays_valid(Profile profile)
+    {
+        var simulator = new Simulator(Pitch.Standard.On(profile.Scene()));
+        int taken = 0;
+        int refused = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            double Draw(int field, double low, double high) => low + ((high - low) * SplitMix64.At(i, field));
+            double Log(int field, double low, double high) => Math.Exp(Draw(field, Math.Log(low), Math.Log(high)));
+            Vector3d Any(int field) => new Vector3d(Draw(field, -1, 1), Draw(field + 1, -1, 1), Draw(field + 2, -1, 1)).Normalized();
+            var log = new StepLog();
+            BallState state = simulator.Launch(new Vector3d(Draw(0, -2, 2), Draw(1, 0.11, 2), -53.4), new Vector3d(0, 1, -20), default);
+            for (int k = 0; k < 30 && state.Nets == 0; k++)
+            {
+                simulator.Step(ref state, Tick, log);
+            }
+
+            state.Velocity = Log(2, 1, i % 3 == 0 ? 1e30 : 3e5) * Any(3);
+            state.Position += Log(6, 0.01, i % 2 == 0 ? 1 : 1e4) * Any(7);
+            if (i % 4 == 0)
+            {
+                state.SetFlightSpin(Log(10, 1, 1e35) * Any(11));
+            }
+
+            state.ClearUntil = 0;
+            if (IsRefused(simulator, in state))
+            {
+                refused++;
+                continue;
+            }
+
+            taken++;
+            for (int k = 0; k < 3; k++)
+            {
+                simulator.Step(ref state, i % 2 == 0 ? Tick : 0.2, log);
+                simulator.Validate(in state);
+            }
+        }
+
+        Assert.True(taken > 60 && refused > 60, $"{taken} taken, {refused} refused");
     }
 
     /// <summary>Fields drawn at random, sealed with the right checksum: what is not refused takes a bounded step to a finite state.</summary>
@@ -268,6 +325,20 @@ public sealed class UntrustedStateTests
         ulong Flags(double chance) => U() < chance ? (ulong)(16 * U()) : 0;
 
         static Vector3d Limited(Vector3d v, double most) => v.Length > most ? (0.5 * most / v.Length) * v : v;
+    }
+
+    /// <summary>The times of the parts of a step add up to its end only up to rounding, so a contact may be a few ulp later than the state.</summary>
+    [Fact]
+    public void A_squeeze_that_is_longer_by_rounding_is_taken()
+    {
+        var simulator = new Simulator();
+        BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
+        state.Time = 15.3;
+        state.SqueezeUntil = 15.400000000000004;
+        Assert.True(state.SqueezeUntil > state.Time + 0.1);
+        Assert.False(IsRefused(simulator, in state));
+        state.SqueezeUntil += 1e-9;
+        Assert.True(IsRefused(simulator, in state));
     }
 
     private static BallState Resting(Simulator simulator, Vector3d from)

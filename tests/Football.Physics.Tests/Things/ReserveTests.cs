@@ -1,5 +1,3 @@
-using FootballPhysics.Tests.Support;
-
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Bodies that come into play later, and leave it: added before the simulator is built, withdrawn, brought on by MoveTo.</summary>
@@ -241,26 +239,6 @@ public sealed class ReserveTests
             reserves[3].Withdraw();
             ball.Step(0.01);
         }));
-    }
-
-    /// <summary>A step of a state that was never launched stays finite: hot paths do not check for it.</summary>
-    [Theory]
-    [ProfileData]
-    public void A_state_that_was_never_launched_stays_finite(Profile profile)
-    {
-        var simulator = new Simulator(profile.Scene());
-        BallState ball = default;
-        var log = new StepLog();
-        for (int i = 0; i < 500; i++)
-        {
-            simulator.Step(ref ball, 0.01, log);
-            Assert.True(ball.Position.IsFinite && ball.Velocity.IsFinite && ball.Spin.IsFinite, $"{ball} after {i}");
-            Quaterniond q = ball.Orientation;
-            Assert.True(double.IsFinite(q.X + q.Y + q.Z + q.W), $"{q} after {i}");
-        }
-
-        // It is not a ball of the scene; who reads states from elsewhere is told so.
-        Assert.Throws<ArgumentException>(() => new Ball(simulator).State = default);
     }
 
     private static int Hits(Ball ball, KinematicBody reserve, Vector3d? on)

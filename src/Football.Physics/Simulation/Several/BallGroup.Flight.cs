@@ -45,9 +45,9 @@ public sealed partial class BallGroup
         for (int i = 0; i < states.Length; i++)
         {
             ref BallState s = ref states[i];
-            if (s.Time != time || s.BaseOrientation == default)
+            if (s.Time != time || !s.IsLaunched)
             {
-                Refuse(in s, i, time);
+                CheckState(in s, i, time);
             }
 
             ref readonly BallState before = ref _before[i];
@@ -134,11 +134,18 @@ public sealed partial class BallGroup
         return Math.Sqrt(squared);
     }
 
-    private static void Refuse(in BallState state, int ball, double time)
+    /// <summary>Throws if a state was never launched, or has another time than the first ball.</summary>
+    /// <param name="state">The state.</param>
+    /// <param name="ball">The index of the ball.</param>
+    /// <param name="time">The time of the first ball, s.</param>
+    internal static void CheckState(in BallState state, int ball, double time)
     {
         BallState.Launched(in state);
-        throw new ArgumentException(
-            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
+        if (state.Time != time)
+        {
+            throw new ArgumentException(
+                FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
+        }
     }
 
     /// <summary>Measures the reach of balls that exceed the bounds of their spheres, and finds the neighbours again if a ball left its

@@ -61,6 +61,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             Check(path, "count", identity.Count, 1, MostRows);
             Check(path, "shard.of", part.Of, 1, MostShards);
             Check(path, "shard.index", part.Index, 1, part.Of);
+            Check(path, "shard.first", shard.GetProperty("first").GetInt64(), part.First, part.First);
             FileRecord[] files = [.. root.GetProperty("files").EnumerateArray().Select((file, i) => ReadFile(path, i, file))];
             long rows = root.GetProperty("rows").GetInt64();
 
@@ -112,7 +113,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     {
         if (value < low || value > high)
         {
-            throw new RefusedException($"{field} in {Quote.File(path)}", FormattableString.Invariant($"{value}"), FormattableString.Invariant($"{low} … {high}"));
+            throw new RefusedException($"{field} in {Quote.File(path)}", FormattableString.Invariant($"{value}"), low == high ? FormattableString.Invariant($"{low}") : FormattableString.Invariant($"{low} … {high}"));
         }
     }
 
