@@ -4,6 +4,7 @@ using System.Text.Json;
 using FootballPhysics.Labs.BankShots;
 using FootballPhysics.Labs.Derivatives;
 using FootballPhysics.Labs.Goals;
+using FootballPhysics.Labs.Groups;
 using FootballPhysics.Labs.Intercept;
 using FootballPhysics.Labs.Matches;
 using FootballPhysics.Labs.Obstacles;
@@ -179,7 +180,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

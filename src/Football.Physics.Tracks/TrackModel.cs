@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tracks;
@@ -133,7 +134,7 @@ internal sealed class TrackModel
                 Material = turf with
                 {
                     NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.NormalRestitution),
-                    ImpactFriction = Math.Max(0, friction) * turf.ImpactFriction,
+                    ImpactFriction = FrictionLaw.Limit(turf.ImpactFriction, friction),
                     SlidingFriction = Math.Min(MostSlidingFriction, Math.Max(0, friction) * turf.SlidingFriction),
                 },
             },

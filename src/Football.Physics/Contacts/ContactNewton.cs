@@ -174,7 +174,7 @@ internal static class ContactNewton
         double first = push.First - (grip * slip.First);
         double second = push.Second - (grip * slip.Second);
         double size = Math.Sqrt((first * first) + (second * second));
-        double most = friction * load;
+        double most = FrictionLaw.Limit(friction, load);
         bool grips = size <= most && most > 0;
         double x = size > 0 ? first / size : 0;
         double y = size > 0 ? second / size : 0;

@@ -194,7 +194,7 @@ internal static class ContactSolver
         Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
         Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
         double size = friction.Length;
-        double most = contact.Material.SlidingFriction * load;
+        double most = FrictionLaw.Limit(contact.Material.SlidingFriction, load);
         friction = size > most ? most / size * friction : friction;
         Vector3d rubbed = friction - contact.Friction;
         v += rubbed;

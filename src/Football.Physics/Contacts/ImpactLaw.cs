@@ -183,7 +183,7 @@ internal static class ImpactLaw
             double gripX = turning * (1.0 + material.TangentialX);
             var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, turning * (1.0 + material.TangentialZ) * slip.Z);
             double size = grip.Length;
-            double most = material.ImpactFriction * Normal;
+            double most = FrictionLaw.Limit(material.ImpactFriction, Normal);
             Friction = size > most ? most / size * grip : grip;
         }
 

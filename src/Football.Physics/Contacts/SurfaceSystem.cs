@@ -341,7 +341,7 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
-    public readonly double SlidingFriction(in SurfaceForces on) => Material.SlidingFriction * on.Load;
+    public readonly double SlidingFriction(in SurfaceForces on) => FrictionLaw.Limit(Material.SlidingFriction, on.Load);
 
     /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
     public readonly double RollingFriction(in SurfaceForces on, double speed) =>

@@ -80,7 +80,7 @@ internal sealed partial class BallPile
             First = first,
             Second = second,
             Collider = -1,
-            Normal = distance > 0 ? apart / distance : Vector3d.Up,
+            Normal = BallContact.Normal(in apart, distance),
             Gap = Math.Max(0, distance - a.Radius - b.Radius),
             NormalMass = 1.0 / perMass,
             SlipMass = 1.0 / (perMass + (a.Radius * a.Radius * a.PerInertia) + (b.Radius * b.Radius * b.PerInertia)),

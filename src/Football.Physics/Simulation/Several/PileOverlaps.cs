@@ -37,11 +37,11 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                     Vector3d apart = states[a.Ball].Position - states[b.Ball].Position;
                     double most = a.Radius + b.Radius;
                     double square = apart.LengthSquared;
-                    if (square < most * most && square > 0)
+                    if (square < most * most)
                     {
                         double distance = Math.Sqrt(square);
                         double over = most - distance;
-                        Vector3d shift = over * contact.NormalMass / distance * apart;
+                        Vector3d shift = distance > 0 ? over * contact.NormalMass / distance * apart : over * contact.NormalMass * BallContact.Normal(in apart, 0);
                         states[a.Ball].Position += a.PerMass * shift;
                         states[b.Ball].Position -= b.PerMass * shift;
                         moved |= over > ContactTolerances.PileOverlap;

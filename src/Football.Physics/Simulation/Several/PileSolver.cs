@@ -132,34 +132,60 @@ internal sealed class PileSolver
     }
 
     /// <summary>Scales velocities and spins until stationary contacts do no work, as <see cref="SolvedSet"/> does for one ball.</summary>
+    /// <remarks>If only balls press each other, it scales their impulses instead, because these keep the momentum.</remarks>
     /// <param name="h">Length of the part, s.</param>
     public void LimitWork(double h)
     {
+        bool isFree = true;
         for (int i = 0; i < ContactCount; i++)
         {
             if (Contacts[i].Velocity != Vector3d.Zero)
             {
                 return;
             }
+
+            isFree &= Contacts[i].Second >= 0 || Contacts[i].Load == 0;
         }
 
-        // Σ (m |v|² + I |ω|²) and Σ (m v·v_free + I ω·ω_free), with v_free = v₀ + h a.
+        // v·M v, v·M v_free, J·v_free and J·M⁻¹J over all balls and spins, with v_free = v₀ + h a and J = M (v − v_free).
         double square = 0;
         double shared = 0;
+        double closing = 0;
+        double pushed = 0;
         for (int i = 0; i < Count; i++)
         {
             ref readonly PileMember ball = ref Members[i];
+            Vector3d v = FreeVelocity(in ball, h);
+            Vector3d w = FreeSpin(in ball, h);
+            Vector3d impulse = ball.V - v;
+            Vector3d torque = ball.W - w;
             square += (ball.V.LengthSquared / ball.PerMass) + (ball.W.LengthSquared / ball.PerInertia);
-            shared += (Vector3d.Dot(in ball.V, ball.StartV + (h * ball.Free.Acceleration)) / ball.PerMass) + (Vector3d.Dot(in ball.W, ball.StartW + (h * ball.Free.SpinAcceleration)) / ball.PerInertia);
+            shared += (Vector3d.Dot(in ball.V, in v) / ball.PerMass) + (Vector3d.Dot(in ball.W, in w) / ball.PerInertia);
+            closing += (Vector3d.Dot(in impulse, in v) / ball.PerMass) + (Vector3d.Dot(in torque, in w) / ball.PerInertia);
+            pushed += (impulse.LengthSquared / ball.PerMass) + (torque.LengthSquared / ball.PerInertia);
         }
 
         double share = SolvedSet.ShareWithoutWork(square, shared);
-        for (int i = 0; i < Count && share < 1; i++)
+        if (share == 1)
         {
-            Members[i].V = share * Members[i].V;
-            Members[i].W = share * Members[i].W;
+            return;
+        }
+
+        // Scaled by s, the impulses do the work s J·v_free + s² J·M⁻¹J.
+        share = isFree ? Math.Max(0, Math.Min(1, -closing / pushed)) : share;
+        for (int i = 0; i < Count; i++)
+        {
+            ref PileMember ball = ref Members[i];
+            ball.V = isFree ? FreeVelocity(in ball, h) + (share * (ball.V - FreeVelocity(in ball, h))) : share * ball.V;
+            ball.W = isFree ? FreeSpin(in ball, h) + (share * (ball.W - FreeSpin(in ball, h))) : share * ball.W;
         }
     }
+
+    /// <summary>Returns the velocity of a ball without contacts, m/s.</summary>
+    private static Vector3d FreeVelocity(in PileMember ball, double h) => ball.StartV + (h * ball.Free.Acceleration);
+
+    /// <summary>Returns the spin of a ball without contacts, rad/s.</summary>
+    private static Vector3d FreeSpin(in PileMember ball, double h) => ball.StartW + (h * ball.Free.SpinAcceleration);
 
     /// <summary>Returns the greatest speed of any ball, including its spin, m/s.</summary>
     public double Fastest()
@@ -250,7 +276,7 @@ internal sealed class PileSolver
         // J_t: the impulse that stops the slip s, limited by friction.
         Vector3d slip = relative - (rate * n) - Vector3d.Cross(in turning, in n);
         Vector3d rub = contact.Rub - (contact.SlipMass * slip);
-        double most = contact.Friction * load;
+        double most = FrictionLaw.Limit(contact.Friction, load);
         double square = rub.LengthSquared;
         contact.Sticks = square <= most * most;
         if (!contact.Sticks)
@@ -337,7 +363,7 @@ internal sealed class PileSolver
         // About the normal: damping gives ω_n/(1 + c_ω h/I); then drilling friction reduces it by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in ball.W, in n);
         double damped = (about - ball.Drilling) / (1.0 + (h * contact.SpinDamping * ball.PerInertia));
-        double most = contact.DrillingLength * contact.Friction * perLoad;
+        double most = contact.DrillingLength * FrictionLaw.Limit(contact.Friction, perLoad);
         double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
         double drilled = kept - about;
         ball.Drilling += drilled;
