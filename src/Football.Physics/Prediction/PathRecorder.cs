@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Prediction;
@@ -144,6 +145,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
     public override bool Add(in PathSegment piece)
     {
         Close();
+        AddRest(in piece);
 
         // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
         // after every segment would restart the step each time, possibly forever.
@@ -157,5 +159,24 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
 
         // End at the last segment that fits, at the plane, or when the ball no longer approaches the point.
         return IsFull() || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
+    }
+
+    /// <summary>Adds a segment for the time that the ball rested before a segment, because a ball at rest takes no pieces.</summary>
+    private void AddRest(in PathSegment next)
+    {
+        if (_owner.Count == _pieces.Length)
+        {
+            return;
+        }
+
+        bool isFirst = _owner.Count == 0;
+        double from = isFirst ? _owner.StartTime : _pieces[_owner.Count - 1].EndTime;
+        double length = next.Time - from;
+        if (length > ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * next.Time))
+        {
+            Vector3d still = Vector3d.Zero;
+            Vector3d place = isFirst ? next.StartPosition : _pieces[_owner.Count - 1].EndPosition;
+            _pieces[_owner.Count++] = new PathSegment(from, length, in place, in still, in still, in place, in still, in still, MotionState.Rest, 5);
+        }
     }
 }

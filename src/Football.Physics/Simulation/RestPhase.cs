@@ -204,7 +204,7 @@ internal sealed unsafe class RestPhase
     {
         if (_world.HangsInNet(in s))
         {
-            WorldContact.Fly(ref s, s.Velocity, s.Spin);
+            _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
         }
 
@@ -212,18 +212,16 @@ internal sealed unsafe class RestPhase
         ShapePoint at = carrier.At(s.Position, s.Time);
         if (!(at.Distance - _around.Radius <= ContactTolerances.Touching))
         {
-            WorldContact.Fly(ref s, s.Velocity, s.Spin);
+            _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
         }
 
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, at.Normal, s.Time);
         Vector3d slip = Slip.Of(s.Velocity - surface, s.Spin, at.Normal, _around.Radius);
-        s.Motion = slip.Length < ContactTolerances.Rolling ? MotionState.Rolling : MotionState.Sliding;
-        if (s.Motion == MotionState.Sliding)
-        {
-            run.Jumped = true;
-            run.CarrierGain = -run.PerStep * slip;
-        }
+        bool rolls = slip.Length < ContactTolerances.Rolling;
+        s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
+        run.CarrierGain = rolls ? run.CarrierGain : -run.PerStep * slip;
+        run.Report(rolls ? BallEventKind.Roll : BallEventKind.Slide, s.Carrier, at.Normal, in s, s.Velocity, s.Spin);
     }
 
     /// <summary>Returns the path of a ball that moves along with its carrier, and the rotation on it, rad.</summary>

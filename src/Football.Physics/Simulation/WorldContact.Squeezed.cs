@@ -42,9 +42,13 @@ internal sealed partial class WorldContact
         {
             Stay(ref s, set[bearer].Collider + _world.FirstCollider, in v, in w, ref run);
         }
-        else
+        else if (s.Motion == MotionState.Airborne)
         {
             Fly(ref s, in v, in w);
+        }
+        else
+        {
+            Leave(ref s, in v, in w, ref run);
         }
     }
 

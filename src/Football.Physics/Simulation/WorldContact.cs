@@ -258,12 +258,11 @@ internal sealed partial class WorldContact
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         double off = Vector3d.Dot(velocity - carrier.ShapeVelocity(s.Position, s.Time), in n);
 
-        // w_s < 0: the ball moves into its carrier, so it also hits the carrier at the same instant.
+        // w_s < 0: the ball moves into its carrier, so it also hits the carrier at the same instant. Its motion stays, so that a slide has an event.
         if (off < -ContactTolerances.Approaching)
         {
             s.Velocity = velocity;
             s.SetGroundSpin(in spin);
-            s.Motion = MotionState.Sliding;
             Impact(ref s, (int)s.Carrier - _world.FirstCollider, ref run);
             return;
         }
@@ -319,7 +318,7 @@ internal sealed partial class WorldContact
         // Let the rest of the step move the ball out of the mover at its maximum speed. An immediate move could end inside a stationary object.
         s.Velocity = velocity;
         Collider carrier = _world.CarrierOf(in s);
-        if (!carrier.Moves)
+        if (!carrier.Moves && carrier.At(s.Position, s.Time).Distance - _world.Ball.Radius <= ContactTolerances.Touching)
         {
             _world.Hold(ref s, carrier);
         }
@@ -330,6 +329,7 @@ internal sealed partial class WorldContact
     {
         // Report no new slide if the ball already slid there at this instant, nor in a crowded step.
         bool slidOn = (run.Impacts > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
+        run.Jumped &= slidOn;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
         s.Carrier = thing;

@@ -246,29 +246,33 @@ public sealed class WorldContactTests
         Assert.Equal(100, s.SqueezeSpeed);
     }
 
-    /// <summary>Squeezed it stays squeezed, at the speed of the impact, on what carries it.</summary>
-    [Fact]
-    public void Struck_while_it_is_squeezed_it_stays_squeezed()
+    /// <summary>Squeezed it stays squeezed, at the speed of the impact: on what carries it if it touches that, otherwise where it is.</summary>
+    [Theory]
+    [InlineData(0.0, 0.0)]
+    [InlineData(0.01, 0.5)]
+    public void Struck_while_it_is_squeezed_it_stays_squeezed(double above, double up)
     {
         var table = new Asked(Still);
         var log = new StepLog();
         BallState s = table.Simulator.Launch(new Vector3d(0, Radius, 0), default, default);
         s.Motion = MotionState.Pinned;
-        s.Position = new Vector3d(0, Radius + 0.01, 0);
+        s.Position = new Vector3d(0, Radius + above, 0);
         s.SetGroundSpin(new Vector3d(0, 5, 0));
         table.Simulator.Struck(ref s, new Vector3d(1, 0.5, 2), new Vector3d(9, 9, 9), new Vector3d(1, 0, 0), log);
-        Assert.Equal((MotionState.Pinned, Radius, new Vector3d(1, 0, 2), new Vector3d(0, 5, 0)), (s.Motion, s.Position.Y, s.Velocity, s.Spin));
+        Assert.Equal((MotionState.Pinned, Radius + above, new Vector3d(1, up, 2), new Vector3d(0, 5, 0)), (s.Motion, s.Position.Y, s.Velocity, s.Spin));
         Assert.Equal(0, log.Events.Count);
     }
 
-    /// <summary>Let go by a pile, it goes on by what bears it: told where that is another motion and it is not next to rest.</summary>
+    /// <summary>Let go by a pile, it goes on by what bears it: told where that is another motion.</summary>
     [Theory]
     [InlineData(MotionState.Rolling, 1.0, 0.0, true, MotionState.Rolling, null)]
     [InlineData(MotionState.Rolling, 1.0, 0.5, true, MotionState.Sliding, BallEventKind.Slide)]
     [InlineData(MotionState.Sliding, 1.0, 0.0, true, MotionState.Rolling, BallEventKind.Roll)]
-    [InlineData(MotionState.Sliding, 0.04, 0.0, true, MotionState.Rolling, null)]
+    [InlineData(MotionState.Sliding, 0.04, 0.0, true, MotionState.Rolling, BallEventKind.Roll)]
+    [InlineData(MotionState.Rest, 0.04, 0.0, true, MotionState.Rolling, BallEventKind.Roll)]
+    [InlineData(MotionState.Rest, 0.04, 0.0, false, MotionState.Airborne, BallEventKind.ContactEnd)]
     [InlineData(MotionState.Rolling, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.ContactEnd)]
-    [InlineData(MotionState.Rolling, 0.04, 0.0, false, MotionState.Airborne, null)]
+    [InlineData(MotionState.Rolling, 0.04, 0.0, false, MotionState.Airborne, BallEventKind.ContactEnd)]
     [InlineData(MotionState.Airborne, 1.0, 0.0, false, MotionState.Airborne, null)]
     [InlineData(MotionState.Pinned, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Pinned)]
     public void A_pile_lets_a_ball_go(MotionState before, double speed, double slip, bool borne, MotionState after, BallEventKind? told)

@@ -3,8 +3,8 @@ using FootballPhysics.Contacts;
 namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a pile: balls in sustained contact with each other.</summary>
-/// <remarks>The pile takes a few equal parts, with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast
-/// contacts bounce at the start of the part. No ball enters a stationary object.</remarks>
+/// <remarks>The pile takes a few parts, with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts
+/// bounce when they touch, and end a part. No ball enters a stationary object.</remarks>
 internal sealed partial class BallPile
 {
     /// <summary>Length of a part, s, and the maximum number of parts per step.</summary>
@@ -18,6 +18,9 @@ internal sealed partial class BallPile
     private const int FirstRounds = 48;
     private const int NextRounds = 20;
     private const int RestRounds = 256;
+
+    /// <summary>Maximum number of parts per ball and step that end at a bounce. After that, balls bounce at the start of a part.</summary>
+    private const int MostEnds = 16;
 
     /// <summary>Length of the part that is solved to check for rest, s.</summary>
     private const double RestPart = 1e-3;
@@ -38,6 +41,7 @@ internal sealed partial class BallPile
     private double _longest;
     private double _end;
     private int _plans;
+    private int _ends;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">The material of impacts between balls.</param>
@@ -66,6 +70,9 @@ internal sealed partial class BallPile
     /// <summary>Time up to which its paths are computed, s.</summary>
     public double Until { get; private set; }
 
+    /// <summary>True if the part ends before its length, because a contact bounces there.</summary>
+    private bool EndsAtBounce { get; set; }
+
     /// <summary>Empties the pile for a step of a given length, s.</summary>
     public void Clear(double time, double step)
     {
@@ -73,6 +80,7 @@ internal sealed partial class BallPile
         _solver.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
+        _ends = 0;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
@@ -111,6 +119,7 @@ internal sealed partial class BallPile
         }
 
         _plans = Math.Max(_plans, other._plans);
+        _ends += other._ends;
         _bounces.Absorb(other._bounces);
     }
 
@@ -158,7 +167,6 @@ internal sealed partial class BallPile
     /// <returns>True if a ball bounced.</returns>
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
-        _plans++;
         _end = end;
         double left = end - Time;
 
@@ -182,8 +190,15 @@ internal sealed partial class BallPile
             top = Math.Max(top, s.Velocity.Length);
         }
 
+        // Balls that touch bounce now. A bounce within the part will end the part, if the pile has not used these ends.
         Find(states, ContactTolerances.PileMargin + (2.0 * h * (top + pull)), h);
-        bool bounced = _bounces.Bounce(states, h, logs);
+        bool mayEnd = _ends < MostEnds * Count;
+        bool bounced = _bounces.Bounce(states, mayEnd ? 0 : h, logs);
+        if (mayEnd)
+        {
+            _bounces.Mark(states, h);
+        }
+
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -200,7 +215,11 @@ internal sealed partial class BallPile
         _solver.LimitWork(h);
         _solver.SetWays();
         _length = h;
-        Until = parts > 1 ? Time + h : end;
+        double touch = _bounces.FirstTouch(h);
+        EndsAtBounce = touch < h;
+        Until = EndsAtBounce ? Time + touch : parts > 1 ? Time + h : end;
+        _ends += EndsAtBounce ? 1 : 0;
+        _plans += EndsAtBounce ? 0 : 1;
         return bounced;
     }
 
@@ -226,7 +245,7 @@ internal sealed partial class BallPile
         }
 
         // Within a part, v and ω are linear in time: interpolate a shortened part.
-        double share = time < Until ? duration / h : 1.0;
+        double share = EndsAtBounce ? duration / _length : time < Until ? duration / h : 1.0;
         for (int i = 0; i < Count; i++)
         {
             ref readonly PileMember member = ref _solver.Members[i];

@@ -8,6 +8,9 @@ internal sealed class PileBounces
     /// <summary>Minimum exit speed of a bounce in a pile, m/s, even if the ground allows slower ones.</summary>
     private const double LeastBounce = 0.05;
 
+    /// <summary>Maximum number of bounces per ball and step.</summary>
+    private const int MostOfBall = 8;
+
     private readonly Simulator[] _simulators;
     private readonly PileSolver _solver;
     private readonly ContactMaterial _material;
@@ -23,28 +26,59 @@ internal sealed class PileBounces
         _material = material;
     }
 
+    /// <summary>True if the balls have used their bounces in this step.</summary>
+    private bool IsSpent => _bounces >= MostOfBall * _solver.Count;
+
     /// <summary>Starts a step.</summary>
     public void Clear() => _bounces = 0;
 
     /// <summary>Adds the bounces of a merged pile.</summary>
     public void Absorb(PileBounces other) => _bounces += other._bounces;
 
-    /// <summary>Resolves all contacts that close fast enough to bounce within the part, in order of time.</summary>
-    /// <remarks>Resolving the bounces one after the other adds no energy.</remarks>
+    /// <summary>Marks the contacts that close fast enough to bounce within a part. They have no load until they touch.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
+    public void Mark(BallState[] states, double h)
+    {
+        for (int i = 0; i < _solver.ContactCount && !IsSpent; i++)
+        {
+            double time = BounceTime(in _solver.Contacts[i], states);
+            _solver.Contacts[i].Bounces = time > 0 && time < h;
+        }
+    }
+
+    /// <summary>Returns the time at which the first marked contact touches on the ways of the balls, s; at most the length of the part.</summary>
+    public double FirstTouch(double h)
+    {
+        for (int i = 0; i < _solver.ContactCount; i++)
+        {
+            ref readonly PileContact contact = ref _solver.Contacts[i];
+            if (contact.Bounces)
+            {
+                Vector3d other = contact.Second < 0 ? contact.Velocity : _solver.Members[contact.Second].Way;
+                double closing = -Vector3d.Dot(_solver.Members[contact.First].Way - other, in contact.Normal);
+                h = contact.Gap < h * closing ? contact.Gap / closing : h;
+            }
+        }
+
+        return h;
+    }
+
+    /// <summary>Resolves all contacts that close fast enough to bounce within a time, in order of time.</summary>
+    /// <remarks>Resolving the bounces one after the other adds no energy.</remarks>
+    /// <param name="states">The balls.</param>
+    /// <param name="h">The time, s; 0 for the contacts that touch.</param>
     /// <param name="logs">Receive the events of each ball.</param>
     /// <returns>True if a ball bounced.</returns>
     public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
         // Limit the impacts to the number of contacts plus eight at one instant, and to eight per ball and step.
-        int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
         bool bounced = false;
-        for (int done = 0; done < most; done++)
+        for (int done = 0; done < _solver.ContactCount + 8; done++)
         {
             int next = -1;
-            double first = h;
-            for (int i = 0; i < _solver.ContactCount; i++)
+            double first = h > 0 ? h : double.Epsilon;
+            for (int i = 0; i < _solver.ContactCount && !IsSpent; i++)
             {
                 double time = BounceTime(in _solver.Contacts[i], states);
                 next = time < first ? i : next;
@@ -80,7 +114,15 @@ internal sealed class PileBounces
         // The exit speed, e u_n.
         ContactMaterial material = contact.Second < 0 ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position) : _material;
         double e = material.LargestRestitutionAt(closing);
-        return Math.Max(e * closing, material.MinimumExitSpeed) >= least ? contact.Gap / closing : double.PositiveInfinity;
+        if (!(Math.Max(e * closing, material.MinimumExitSpeed) >= least))
+        {
+            return double.PositiveInfinity;
+        }
+
+        // The gap closes under constant forces: gap = c t + b t²/2.
+        Vector3d pull = contact.Second < 0 ? a.Free.Acceleration : a.Free.Acceleration - _solver.Members[contact.Second].Free.Acceleration;
+        double square = (closing * closing) - (2.0 * contact.Gap * Vector3d.Dot(in pull, in contact.Normal));
+        return contact.Gap <= ContactTolerances.Touching ? 0 : square > 0 ? 2.0 * contact.Gap / (closing + Math.Sqrt(square)) : double.PositiveInfinity;
     }
 
     private void Bounce(in PileContact contact, BallState[] states, StepLog[] logs)

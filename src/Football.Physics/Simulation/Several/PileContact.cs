@@ -18,6 +18,9 @@ internal struct PileContact
     /// <summary>True if no ball can rest on it: it moves in this step, or overlaps a ball.</summary>
     public bool MovesNow;
 
+    /// <summary>True if it bounces when it touches, so that it has no load before.</summary>
+    public bool Bounces;
+
     /// <summary>True if friction holds the contact.</summary>
     public bool Sticks;
 

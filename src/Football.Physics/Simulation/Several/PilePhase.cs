@@ -11,7 +11,7 @@ internal sealed class PilePhase
     /// <summary>Maximum number of nets and goals on the path of a part.</summary>
     private const int MostPassages = 8;
 
-    /// <summary>Below this speed no slide or roll is reported, m/s: in a pile a ball may alternately slip and grip.</summary>
+    /// <summary>Below this speed no change of the carrier alone is reported, m/s: in a pile, the load may alternate between two surfaces.</summary>
     private const double ReportedSpeed = 0.05;
 
     private readonly Surroundings _around;
@@ -105,20 +105,20 @@ internal sealed class PilePhase
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
-        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth)
+        int mover = _world.Moves ? Covering(in s) : -1;
+        if (mover >= 0)
         {
-            StaySqueezed(ref s, carrier, log);
+            StaySqueezed(ref s, mover, log);
             return;
         }
 
-        bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding;
-        bool reports = s.Velocity.Length > ReportedSpeed;
+        bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding or MotionState.Rest;
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         Report(in s, BallEventKind.Pinned, -1, Vector3d.Zero, in w, s.Motion == MotionState.Pinned, log);
         if (carrier < 0)
         {
-            Report(in s, BallEventKind.ContactEnd, -1, Vector3d.Zero, in w, wasCarried && reports, log);
+            Report(in s, BallEventKind.ContactEnd, -1, Vector3d.Zero, in w, wasCarried, log);
             s.Motion = MotionState.Airborne;
             s.Carrier = 0;
             s.SetFlightSpin(in w);
@@ -136,8 +136,17 @@ internal sealed class PilePhase
         bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < ContactTolerances.SolvedSlip;
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
-        bool changed = !same || before != s.Motion;
-        Report(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && reports, log);
+        bool changed = before != s.Motion || (!same && s.Velocity.Length > ReportedSpeed);
+        Report(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed, log);
+    }
+
+    /// <summary>Returns the moving object that overlaps the ball most, if it is too deep to support the ball; −1 if there is none.</summary>
+    private int Covering(in BallState s)
+    {
+        BallState free = s;
+        free.Motion = MotionState.Airborne;
+        int deepest = NearThings.Deepest(_world, in free, out _);
+        return deepest >= 0 && _world.Colliders[deepest].Moves && _around.Radius - _world.Colliders[deepest].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth ? deepest : -1;
     }
 
     /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another

@@ -263,7 +263,7 @@ internal sealed class PileSolver
 
         // J_n: the surfaces must separate at least as fast as the gap requires.
         double rate = Vector3d.Dot(in relative, in n);
-        double load = Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
+        double load = contact.Bounces ? 0 : Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
         if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
         {
             // The surfaces are close, but the contact carries no load: there is no impulse to apply.
