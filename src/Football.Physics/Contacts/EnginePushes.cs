@@ -95,7 +95,7 @@ internal sealed class EnginePushes
         }
 
         EngineCollider collider = _pushed[index];
-        Bounds3d at = collider.Placement.BoundsAt(time);
+        Bounds3d at = collider.Placement.BoundsDuring(time, dt);
         box = at.Union(at.Translated(dt * collider.Placement.Motion.Velocity)).Expanded(2.0 * dt * collider.PushSoFar.Pushed.Length);
         return true;
     }

@@ -212,6 +212,15 @@ internal sealed class ClearFlight
         return _tube!.IsFree(in s, dt, AroundStep(in push, dt));
     }
 
+    /// <inheritdoc cref="Stepper.SearchMargin"/>
+    public double MarginAt(double speed, double spinRate, double dt)
+    {
+        // On a surface, spin may become speed, and speed spin.
+        double radius = _world.Ball.Radius;
+        double most = speed + (radius * spinRate);
+        return AroundStep(new FlightPush(most * most, spinRate + (speed / radius), 1.0 + _friction), dt);
+    }
+
     /// <summary>Returns the margin of a search for bodies in one step, m. It grows with each argument.</summary>
     private double AroundStep(in FlightPush push, double dt)
     {

@@ -134,6 +134,9 @@ internal class SceneStepper<TIntegrator> : Stepper
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _clear is null || _clear.HasFlown(in from, in to, duration, airSpeed, spinRate);
 
+    public override double SearchMargin(double speed, double spinRate, double dt) =>
+        _clear?.MarginAt(speed + _wind.Length + Around.Air.FastestWind, spinRate, dt) ?? World.Ball.Radius;
+
     public override bool MayBeClear(in BallState s) => !(s.ClearUntil > s.Time) || _clear is null || s.ClearIn != _clear.Key || _clear.MayBeFree(in s);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)

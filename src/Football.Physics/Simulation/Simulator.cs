@@ -344,6 +344,9 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Pile"/>
     internal PilePhase Pile => _stepper.Pile;
 
+    /// <inheritdoc cref="Stepper.SearchMargin"/>
+    internal double SearchMargin(double speed, double spinRate, double dt) => _stepper.SearchMargin(speed, spinRate, dt);
+
     /// <inheritdoc cref="Stepper.FliesClear"/>
     internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _stepper.FliesClear(in from, in to, duration, airSpeed, spinRate);

@@ -52,6 +52,12 @@ internal abstract class Stepper
     /// <param name="spinRate">Spin at the start, rad/s.</param>
     public abstract bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate);
 
+    /// <summary>Returns an upper bound of the distance from its straight path at which a ball searches for bodies in a step, m.</summary>
+    /// <param name="speed">Its greatest speed, m/s.</param>
+    /// <param name="spinRate">Its greatest spin, rad/s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    public abstract double SearchMargin(double speed, double spinRate, double dt);
+
     /// <summary>True if the clear time stored in a state is plausible.</summary>
     public abstract bool MayBeClear(in BallState s);
 

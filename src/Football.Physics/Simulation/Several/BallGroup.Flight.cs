@@ -197,17 +197,8 @@ public sealed partial class BallGroup
     }
 
     /// <summary>Finds the balls that may reach another ball in this step.</summary>
-    private void FindCluster(bool all, bool pushes, double dt)
+    private void FindCluster(bool all, bool pushes)
     {
-        _cluster.Clear();
-        _cluster.ForgetShares();
-
-        // Find them also if all balls step again: whether they do may depend on the spheres of neighbours from earlier steps.
-        if (pushes)
-        {
-            _cluster.FindShares(_motions, dt);
-        }
-
         if (!all)
         {
             for (int k = 0; k < _neighbours.Count; k++)

@@ -212,12 +212,21 @@ public sealed partial class BallGroup
             // Find the piles, step every other ball alone, find neighbours that may collide, and repeat the steps of balls with contacts.
             FindPiles(dt);
             bool pushes = Fly(states, dt, stopAt, out bool holds, out bool again);
+
+            // Find the balls that share a pushed object before other steps: these may depend on the spheres of neighbours from earlier steps.
+            _cluster.Clear();
+            _cluster.ForgetShares();
+            if (pushes)
+            {
+                _cluster.FindShares(_motions, dt);
+            }
+
             if (!holds)
             {
                 RenewNeighbours(dt, again);
             }
 
-            FindCluster(all: again || stopAt == StopAt.Impact || watched is not null, pushes, dt);
+            FindCluster(all: again || stopAt == StopAt.Impact || watched is not null, pushes);
             ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motions);
             if (world.MayGiveWay)
             {

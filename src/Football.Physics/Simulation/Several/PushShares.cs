@@ -1,7 +1,7 @@
 namespace FootballPhysics.Simulation;
 
-/// <summary>Finds the balls that can reach a pushed object which another ball can reach as well.</summary>
-/// <remarks>Only the steps of these balls end at a push.</remarks>
+/// <summary>Finds the balls that can reach a pushed object, or see it in their search for bodies, if another ball can do so as well.</summary>
+/// <remarks>Only the steps of these balls end at a push. For the others, it does not matter whether the object has been pushed.</remarks>
 /// <param name="pushed">The motions of all objects that balls push.</param>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="before">The balls before the step.</param>
@@ -11,6 +11,8 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     private const double MoreReach = 1.1;
 
     private readonly double[] _reaches = new double[before.Length];
+    private readonly double[] _speeds = new double[before.Length];
+    private readonly double[] _spins = new double[before.Length];
     private readonly bool[] _shares = new bool[before.Length];
 
     /// <summary>True if a ball shares an object with another ball.</summary>
@@ -28,7 +30,9 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     public void Begin(int ball, in BallState after, double fastest, double dt)
     {
         double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), Math.Max(fastest, after.SqueezeSpeed));
-        _reaches[ball] = MoreReach * ((after.Position - before[ball].Position).Length + (dt * (speed + (BallNeighbours.Fall * dt))));
+        _speeds[ball] = MoreReach * (speed + (BallNeighbours.Fall * dt));
+        _spins[ball] = MoreReach * Math.Max(before[ball].Spin.Length, after.Spin.Length);
+        _reaches[ball] = (MoreReach * (after.Position - before[ball].Position).Length) + (dt * _speeds[ball]);
     }
 
     /// <summary>Raises the bound of a ball's displacement, m.</summary>
@@ -47,13 +51,14 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     public bool Find(MotionsBefore motions, double dt)
     {
         bool found = false;
-        pushed.BeginPushes(motions);
+        pushed.BeginPushes(motions, before[0].Time, dt);
         while (pushed.NextPush(before[0].Time, dt, out Bounds3d box))
         {
             int first = -1;
             for (int i = 0; i < before.Length; i++)
             {
-                if (!box.Expanded(_reaches[i] + simulators[i].Scene.Ball.Radius).Intersects(new Bounds3d(before[i].Position, before[i].Position)))
+                double reach = _reaches[i] + simulators[i].SearchMargin(_speeds[i], _spins[i], dt);
+                if (!box.Expanded(reach).Intersects(new Bounds3d(before[i].Position, before[i].Position)))
                 {
                     continue;
                 }

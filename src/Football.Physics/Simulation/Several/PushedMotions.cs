@@ -10,6 +10,7 @@ internal sealed class PushedMotions(World world)
     private readonly RigidMotion[] _before = new RigidMotion[world.GivesWay ? world.Movers : 0];
     private readonly RigidMotion[] _after = new RigidMotion[world.GivesWay ? world.Movers : 0];
     private readonly RigidMotion[] _kept = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly Bounds3d[] _boxes = new Bounds3d[world.GivesWay ? world.Movers : 0];
     private RigidMotion[] _first = [];
     private int _next;
 
@@ -83,11 +84,23 @@ internal sealed class PushedMotions(World world)
 
     /// <summary>Starts the enumeration of the objects pushed in a finished step.</summary>
     /// <param name="motions">The motions of all objects before the step.</param>
-    public void BeginPushes(MotionsBefore motions)
+    /// <param name="time">Start time of the step, s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    public void BeginPushes(MotionsBefore motions, double time, double dt)
     {
         _first = motions.All;
         _next = 0;
         Read(_after);
+
+        // The box of an object that rotates since an earlier time is larger before the push than after it.
+        Restore(_first);
+        for (int m = 0; m < _boxes.Length; m++)
+        {
+            Bounds3d at = world.BoundsOfMover(m, time, dt);
+            _boxes[m] = at.Union(at.Translated(dt * _first[m].Velocity));
+        }
+
+        Restore(_after);
     }
 
     /// <summary>Returns the next pushed object.</summary>
@@ -105,7 +118,7 @@ internal sealed class PushedMotions(World world)
                 // Bound the position: extend the motion after the push over the entire step. The error is at most |ΔV| dt; double it for opposing
                 // pushes.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
-                box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length);
+                box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length).Union(_boxes[_next]);
                 _next++;
                 return true;
             }
