@@ -5,13 +5,19 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Labs.Stress;
 
-/// <summary>football lab stress: matches in closed halls, look-aheads between ticks and late kicks, and bytes that no valid state has.</summary>
+/// <summary>football lab stress: matches in closed halls, look-aheads between ticks and late kicks, steps in fresh simulators, and bytes that no valid state has.</summary>
 internal static class StressLab
 {
     private const long Most = 1_000_000_000;
 
     /// <summary>The least number of late kicks of one match of <see cref="RollbackCounts"/>, including its share of the other kinds.</summary>
     private const long LateOfMatch = 1000;
+
+    /// <summary>The number of matches with --asked.</summary>
+    private const long AskedMatches = 300;
+
+    /// <summary>The least share of the steps in which a body that turns is near a ball.</summary>
+    private const double LeastNear = 0.5;
 
     /// <summary>The formats of bytes that are changed: they are rejected, or the steps that follow are finite and short.</summary>
     private static IReadOnlyList<FuzzTarget> Formats { get; } =
@@ -22,24 +28,29 @@ internal static class StressLab
         var lab = new Lab(
             "stress",
             "Matches of one to five balls with wind, crowds, movable obstacles and engine colliders, in frames of 4 to 250 ms, checked by independent geometry.",
-            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --bytes --count 500"]);
-        Option<long> matches = lab.Whole("--matches", "Number of matches; half as many with --looks.", 1, Most, 2000);
+            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --asked --matches 20 --seconds 3", "football lab stress --bytes --count 500"]);
+        Option<long> matches = lab.Whole("--matches", "Number of matches; half as many with --looks; default 300 with --asked.", 1, Most, 2000);
         Option<long> seconds = lab.Whole("--seconds", "Length of a match in s.", 1, 3600, 12);
         Option<long> jobs = lab.Jobs("Threads.");
         Option<long?> match = lab.WholeOrNone("--match", "One match by its number.", Most);
         Option<bool> looks = lab.Flag("--looks", "Matches with and without look-aheads between ticks, and late kicks compared with punctual ones.");
         Option<long> late = lab.Whole("--late", "Number of late kicks, with --looks.", 1, Most, 10_000);
+        Option<bool> asked = lab.Flag("--asked", "Paths, aims, restores and recordings before each step, which is also taken in a fresh simulator.");
         Option<bool> bytes = lab.Flag("--bytes", "Corrupted states, kick logs and recordings: they are rejected, or steps stay finite and short.");
         Option<long> count = lab.Whole("--count", "Inputs of each format, with --bytes.", 1, Most, 1_000_000);
         return lab.Plays(run =>
         {
-            if (run.Get(looks) && run.Get(bytes))
+            if (new[] { looks, asked, bytes }.Count(flag => run.Get(flag)) > 1)
             {
-                throw new RefusedException("--looks and --bytes are two runs. Give one of them.");
+                throw new RefusedException("--looks, --asked and --bytes are separate runs. Give one of them.");
             }
 
             double length = run.Get(seconds);
-            if (run.Get(match) is { } one)
+            if (run.Get(asked))
+            {
+                Asked(run, run.Get(match) ?? 0, run.Get(match) is null ? run.Has(matches) ? run.Get(matches) : AskedMatches : 1, length, run.Int(jobs));
+            }
+            else if (run.Get(match) is { } one)
             {
                 MatchesReport.Run(run, one, 1, length, 1);
             }
@@ -56,6 +67,18 @@ internal static class StressLab
                 MatchesReport.Run(run, 0, run.Get(matches), length, run.Int(jobs));
             }
         });
+    }
+
+    /// <summary>Simulates matches with questions before each step, and each step also in a fresh simulator: the results must be bit-identical.</summary>
+    private static void Asked(LabRun run, long first, long matches, double seconds, int jobs)
+    {
+        var counts = new LabCounts();
+        string[] wrong = [.. run.Parallel(matches, jobs, "matches that are asked", i => new AskedMatch(run.Seed, first + i, counts).Play(seconds)).Where(at => at.Length > 0)];
+        double near = (double)counts["near a body that turns"] / Math.Max(1, counts["steps"]);
+        string[] columns = [.. AskedMatch.Columns];
+        run.Table(FormattableString.Invariant($"Matches of {seconds} s, asked before each step, and each step in a fresh simulator"), ["matches", .. columns, "share of steps near a body that turns", "verdict"])
+            .Judge(wrong.Length == 0 && near >= LeastNear, [matches, .. counts.Cells(columns), near]);
+        run.Notes.AddRange(wrong.Take(6));
     }
 
     /// <summary>Simulates matches with and without look-aheads, and with kicks in time and late: the results must be bit-identical.</summary>

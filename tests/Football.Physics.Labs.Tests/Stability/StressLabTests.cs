@@ -64,7 +64,7 @@ public sealed class StressLabTests
         Assert.Equal(1, one.Result.GetProperty("tables")[0].GetProperty("rows")[0].GetProperty("matches").GetInt32());
         FootballCommand refused = FootballCommand.Run("", "lab", "stress", "--looks", "--bytes");
         Assert.Equal(1, refused.ExitCode);
-        Assert.EndsWith("--looks and --bytes are two runs. Give one of them.", refused.ErrorLine);
+        Assert.EndsWith("--looks, --asked and --bytes are separate runs. Give one of them.", refused.ErrorLine);
     }
 
     /// <summary>Matches in which a look-ahead made balls be played together that otherwise were not: the time until which the way ahead is free differed.</summary>
@@ -87,6 +87,24 @@ public sealed class StressLabTests
         Assert.True(tables[1].GetProperty("rows").EnumerateArray().Sum(row => row.GetProperty("late").ValueKind == JsonValueKind.Null ? 0 : row.GetProperty("late").GetInt32()) >= 500);
         Assert.Equal(0, done.ExitCode);
     }
+
+    /// <summary>Paths, aims, restores, resimulations and recordings before each step; each step also in a fresh simulator.</summary>
+    [Fact]
+    public void Whatever_was_asked_before_a_step_has_one_result()
+    {
+        FootballCommand done = FootballCommand.Run("", "lab", "stress", "--asked", "--matches", "40", "--seconds", "3", "--seed", "2");
+        JsonElement row = done.Result.GetProperty("tables")[0].GetProperty("rows")[0];
+        Assert.Equal((40, 0, 0), (row.GetProperty("matches").GetInt32(), row.GetProperty("bits that differ").GetInt32(), row.GetProperty("hashes that differ").GetInt32()));
+        Assert.All(["paths", "restores", "resimulations", "recordings"], column => Assert.InRange(row.GetProperty(column).GetInt32(), 100, int.MaxValue));
+        Assert.InRange(row.GetProperty("share of steps near a body that turns").GetDouble(), 0.5, 1);
+        Assert.Equal("reached", row.GetProperty("verdict").GetString());
+        Assert.Equal(0, done.ExitCode);
+    }
+
+    /// <summary>A heap that a pushed object wakes: whether all balls stepped again depended on the spheres of neighbours, and with it which balls shared the object.</summary>
+    [Fact]
+    public void Balls_that_share_a_pushed_object_do_not_depend_on_earlier_steps() =>
+        Assert.Equal(0, FootballCommand.Run("", "lab", "stress", "--asked", "--match", "121", "--seconds", "2").ExitCode);
 
     [Fact]
     public void Changed_bytes_are_rejected_or_step_within_the_limits()
