@@ -138,7 +138,8 @@ public sealed unsafe class CallTests
         states[0] = states[2] = Launched(scene);
         states[1] = default;
         NativeState before = states[0];
-        Refused("states[1] was never launched. Launch the ball first.", s_stepMany(scene, states, 3, 0.01, 1));
+        Assert.Equal(NativeStatus.Argument, s_stepMany(scene, states, 3, 0.01, 1));
+        Assert.Equal("states[1] was never launched. Launch the ball first.", Error());
         Assert.True(Bytes(before).SequenceEqual(Bytes(states[0])));
 
         // A ball that lies on something that the scene does not have.

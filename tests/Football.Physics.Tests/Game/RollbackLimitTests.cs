@@ -103,19 +103,6 @@ public sealed class RollbackLimitTests
         Assert.Equal(8 * TimeStep, alone.Time, 1e-12);
     }
 
-    [Fact]
-    public void States_of_different_times_are_refused_by_both_times()
-    {
-        FixedStepRunner runner = Group();
-        Play(runner, 8);
-        BallState[] states = [.. Enumerable.Range(0, 3).Select(runner.StateOf)];
-        states[2].Time = 3;
-        Assert.StartsWith(
-            FormattableString.Invariant($"states[2].time is 3, but states[0].time is {states[0].Time:R}. "),
-            Assert.Throws<ArgumentException>(() => runner.RestoreAll(8, states)).Message,
-            StringComparison.Ordinal);
-    }
-
     /// <summary>At every depth and for every ball: the state of the server gives the bits of a match in which that ball had it from the start.</summary>
     [Fact]
     public void A_state_of_the_server_for_one_of_several_balls_is_played_to_the_present()
