@@ -189,7 +189,8 @@ public struct BallState : IFormattable
     }
 
     /// <summary>False if the state was never launched: all its bytes are zero.</summary>
-    internal readonly bool IsLaunched => BaseOrientation.W != 0 || BaseOrientation.X != 0 || BaseOrientation.Y != 0 || BaseOrientation.Z != 0;
+    /// <remarks>A comparison of bits costs one instruction; nearly every launched ball has a W other than 0.</remarks>
+    internal readonly bool IsLaunched => BitConverter.DoubleToInt64Bits(BaseOrientation.W) != 0 || BaseOrientation.X != 0 || BaseOrientation.Y != 0 || BaseOrientation.Z != 0;
 
     /// <summary>Throws if a state was never launched.</summary>
     internal static void Launched(in BallState state)
