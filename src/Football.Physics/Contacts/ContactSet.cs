@@ -31,7 +31,7 @@ internal static class ContactSet
     /// <summary>A carrier with at least this share of the greatest load stays the carrier.</summary>
     public const double AboutAsMuch = 0.5;
 
-    /// <summary>Finds the contacts that neither close nor separate, and slow movers nearby that touched the ball recently.</summary>
+    /// <summary>Finds the contacts that neither close nor separate.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
     /// <param name="room">Stack memory for contacts.</param>
@@ -39,15 +39,13 @@ internal static class ContactSet
     /// <returns>The contacts.</returns>
     public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more)
     {
-        bool lingers = s.Time < s.SqueezeUntil;
-        Span<Contact> set = Near(world, in s, lingers ? ContactTolerances.Lingering : ContactTolerances.Touching, room, more);
+        Span<Contact> set = Near(world, in s, ContactTolerances.Touching, room, more);
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. Do not keep a body that has become stationary.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
-            bool stays = set[i].Gap <= ContactTolerances.Touching && rate >= -ContactTolerances.Approaching && rate <= ContactTolerances.Leaving;
-            if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
+            if (rate >= -ContactTolerances.Approaching && rate <= ContactTolerances.Leaving)
             {
                 set[kept++] = set[i];
             }

@@ -98,10 +98,6 @@ internal static class ContactTolerances
     /// <remarks>Above: a path that approaches a wall bends too early. Below: a path along a wall zigzags.</remarks>
     public const double ShownContact = 1e-4;
 
-    /// <summary>The maximum gap to a mover that touched the ball recently and still counts as a contact, m.</summary>
-    /// <remarks>The mover will touch the ball again, too gently for an impact. Above: a ball follows a mover that left it. Below: contact and
-    /// flight alternate.</remarks>
-    public const double Lingering = 2e-4;
 
     // ---- Speeds in m/s; spins, multiplied by the radius ----
 
@@ -174,10 +170,6 @@ internal static class ContactTolerances
     /// more. For other steps the tolerance scales with the step length to the power of the integrator's order.
     /// </remarks>
     public const double SlideEnd = 1e-10;
-
-    /// <summary>Hits within this time count as simultaneous, s.</summary>
-    /// <remarks>Above: a fast rattle counts as simultaneous. Below: a wedge never does.</remarks>
-    public const double AtOnce = 1e-9;
 
     /// <summary>The error of the time at which a slide in a net ends in closed form, s.</summary>
     /// <remarks>Above: the velocity after the slide loses digits. Below: the slide takes more parts.</remarks>

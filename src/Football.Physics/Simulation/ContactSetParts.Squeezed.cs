@@ -43,8 +43,6 @@ internal sealed partial class ContactSetParts
 
             // The maximum speed is the ball's own speed plus the work of the forces, or the speed of the objects that push it.
             double came = from.Velocity.Length;
-            s.SqueezeSpeed = came;
-
             // The search radius covers the ball's own path, the path of a mover (or of a struck ball at twice its speed), and the resolved overlap.
             double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
@@ -55,13 +53,13 @@ internal sealed partial class ContactSetParts
 
             // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.
             SolvedSet.KeepOff(set, h, movers: true, ref v);
-            _contact.IsTooFast(ref s, set, in v);
+            double given = Math.Max(came, WorldContact.FastestBy(set));
             Vector3d kept = v;
             SolvedSet.KeepOff(set, h, movers: false, ref kept);
 
             // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
-            double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
+            double fastest = Math.Max(given, worked + Math.Sqrt((worked * worked) + (came * came)));
 
             // Limit the speed to this value. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;

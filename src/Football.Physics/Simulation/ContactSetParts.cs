@@ -84,8 +84,8 @@ internal sealed partial class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // The ball has no room if no impulses satisfy all contacts, or if the resulting speed is too high. Only moving objects squeeze the ball.
-            if (SolvedSet.Moves(set) && (!next.Solved || _contact.IsTooFast(ref s, set, in next.Velocity)))
+            // The ball has no room if no impulses satisfy all contacts, or if it would have to leave too fast. Only moving objects squeeze the ball.
+            if (SolvedSet.Moves(set) && (!next.Solved || WorldContact.IsTooFast(in s, set, next.From.Velocity + (next.Length * next.Start.Acceleration), in next.Velocity)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;

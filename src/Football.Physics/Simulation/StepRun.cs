@@ -15,6 +15,9 @@ internal ref struct StepRun
     /// <summary>Number of events after which a step counts as crowded.</summary>
     private const int MostInCrowd = 14;
 
+    /// <summary>Impacts that follow one another within this time count as one instant, s: between two surfaces, they would never end.</summary>
+    private const double AtOnce = 1e-6;
+
     /// <summary>Maximum number of pieces per step, of all kinds.</summary>
     private const int MostPieces = 1 << 13;
 
@@ -23,12 +26,6 @@ internal ref struct StepRun
 
     /// <summary>Evaluations reserved for one piece, including the search for its end. A piece starts only if this many remain.</summary>
     private const long MostOfPiece = 1 << 12;
-
-    /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
-    private const double CrowdedFor = 0.01;
-
-    /// <summary>The ball is squeezed if a series has more hits than this.</summary>
-    private const int MostHits = 4;
 
     /// <summary>After this many pieces the part length is chosen again, because the reason for short parts may have ended.</summary>
     private const int PiecesOfOneLength = 64;
@@ -99,8 +96,23 @@ internal ref struct StepRun
     /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
     public int Squeezes;
 
+    /// <summary>Hits by moving objects so far.</summary>
+    public int Hits;
+
+    /// <summary>The speed of the ball at the start of the step, or after a later impact with another ball, m/s.</summary>
+    public double Arrival;
+
+    /// <summary>The speed that the fastest mover that has hit the ball in this step gives it, (1 + e) |V|, m/s.</summary>
+    public double Fastest;
+
     /// <summary>Impacts since time last advanced.</summary>
     public int Impacts;
+
+    /// <summary>Impacts that have followed one another at about one instant.</summary>
+    public int Quick;
+
+    /// <summary>Time of the last impact, s.</summary>
+    public double LastImpact;
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
@@ -113,8 +125,6 @@ internal ref struct StepRun
 
     private int _firstZoneEvent;
     private long _lastEvaluation;
-    private double _lastHit;
-    private int _hits;
     private int _eventsBefore;
 
     /// <summary>Starts a step.</summary>
@@ -128,7 +138,6 @@ internal ref struct StepRun
         End = time + dt;
         Log = log;
         _lastEvaluation = log.Evaluations + MostEvaluations - MostOfPiece;
-        _lastHit = double.NegativeInfinity;
         FirstEvent = log.Events.Count;
         _firstZoneEvent = log.ZoneEvents;
         if (log.Continues)
@@ -154,8 +163,11 @@ internal ref struct StepRun
         Named = Named,
         Slips = Slips,
         Squeezes = Squeezes,
-        Hits = _hits,
-        LastHit = _lastHit,
+        Hits = Hits,
+        LastImpact = LastImpact,
+        Quick = Quick,
+        Arrival = Arrival,
+        Fastest = Fastest,
     };
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
@@ -196,16 +208,12 @@ internal ref struct StepRun
         return AllImpacts++ < MostImpacts;
     }
 
-    /// <summary>Counts a hit by a moving object. Simultaneous hits count once.</summary>
-    /// <returns>True if so many hits followed each other so quickly that the ball has no room.</returns>
-    public bool IsCrowdedAt(double time)
+    /// <summary>Counts an impact, and returns the number of impacts that have followed one another at about one instant.</summary>
+    public int InQuickSuccession(double time)
     {
-        double since = time - _lastHit;
-
-        // After a pause, start a new series. Simultaneous hits count as one hit.
-        _hits = since > CrowdedFor ? 1 : since > ContactTolerances.AtOnce ? _hits + 1 : _hits;
-        _lastHit = time;
-        return _hits > MostHits;
+        Quick = time - LastImpact > AtOnce ? 1 : Quick + 1;
+        LastImpact = time;
+        return Quick;
     }
 
     /// <summary>Reports an event, or only counts it if the step has reported too many.</summary>
@@ -281,7 +289,10 @@ internal ref struct StepRun
         Named = spent.Named;
         Slips = spent.Slips;
         Squeezes = spent.Squeezes;
-        _hits = spent.Hits;
-        _lastHit = spent.LastHit;
+        Hits = spent.Hits;
+        LastImpact = spent.LastImpact;
+        Quick = spent.Quick;
+        Arrival = spent.Arrival;
+        Fastest = spent.Fastest;
     }
 }

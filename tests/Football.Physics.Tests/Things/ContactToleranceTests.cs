@@ -54,7 +54,6 @@ public sealed class ContactToleranceTests
         ContactTolerances.Overlap,
         ContactTolerances.PileOverlap,
         ContactTolerances.BallOverlap,
-        ContactTolerances.Lingering,
     ];
 
     private static readonly double[] Speeds =

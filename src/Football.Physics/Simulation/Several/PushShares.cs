@@ -29,7 +29,11 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     /// <param name="dt">Length of the step, s.</param>
     public void Begin(int ball, in BallState after, double fastest, double dt)
     {
-        double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), Math.Max(fastest, after.SqueezeSpeed));
+        double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), fastest);
+
+        // Movers give a squeezed ball at most twice their speed, without an event.
+        bool isSqueezed = before[ball].Motion == MotionState.Pinned || after.Motion == MotionState.Pinned;
+        speed = Math.Max(speed, isSqueezed ? 2.0 * simulators[ball].World.FastestMover : 0);
         _speeds[ball] = MoreReach * (speed + (BallNeighbours.Fall * dt));
         _spins[ball] = MoreReach * Math.Max(before[ball].Spin.Length, after.Spin.Length);
         _reaches[ball] = (MoreReach * (after.Position - before[ball].Position).Length) + (dt * _speeds[ball]);
