@@ -21,7 +21,7 @@ internal sealed class BroadPhase
         var unbounded = new List<int>();
         var leaves = new List<int>();
         var lanes = new List<MovingLane>();
-        for (int i = 0; i < world.Colliders.Length; i++)
+        for (int i = 0; i < world.FirstPassage; i++)
         {
             Collider collider = world.Colliders[i];
             if (world.Ignores(collider))
@@ -139,7 +139,7 @@ internal sealed class BroadPhase
             key.Add(BoundsOf(Leaves[i]));
         }
 
-        foreach (Collider collider in _world.Colliders.Where(collider => !collider.IsBody && !_world.Ignores(collider)))
+        foreach (Collider collider in _world.Colliders.Take(_world.FirstPassage).Where(collider => !collider.IsBody && !_world.Ignores(collider)))
         {
             // Hash an unbounded shape by sampling it at two points.
             ShapePoint low = collider.At(Vector3d.Zero);

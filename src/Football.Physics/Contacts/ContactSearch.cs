@@ -94,7 +94,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
         deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, NetSheet.SideOf(s.NetSides, deepest)) + (_path.Length * _path.FastestSpeed);
-        return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length, withPassages: true);
+        return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length, s.Nets, s.NetSides, withPassages: true);
     }
 
     /// <summary>True if the first of two simultaneous contacts has priority.</summary>

@@ -69,7 +69,7 @@ internal static class ContactSet
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
 
         // Broad phase by bounding boxes, then the exact distance.
-        var near = NearThings.At(world, s.Position, s.Time, reach);
+        var near = NearThings.At(world, in s, reach);
         while (near.Next(out int i))
         {
             Collider collider = world.Colliders[i];

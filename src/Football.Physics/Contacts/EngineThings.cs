@@ -43,7 +43,7 @@ internal sealed class EngineThings
     /// <param name="world">The world, whose array of colliders grows with the table.</param>
     /// <param name="engine">The engine.</param>
     /// <param name="first">Index of the first slot among the world's colliders.</param>
-    /// <param name="passages">Number of nets and goals, whose indices follow those of the initial slots.</param>
+    /// <param name="passages">Number of nets, goals, zones and ends of nets, whose indices follow those of the initial slots.</param>
     public EngineThings(World world, IEngineColliders engine, int first, int passages)
     {
         _world = world;
@@ -72,7 +72,7 @@ internal sealed class EngineThings
     public int Found(int index) => _found[index];
 
     /// <summary>True if a collider of the world is an engine collider.</summary>
-    public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider);
+    public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider) && !_world.IsNetEnd(collider);
 
     /// <summary>True if the last cast found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
@@ -138,7 +138,7 @@ internal sealed class EngineThings
         return Nearest(number, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
     }
 
-    /// <summary>Converts a slot to a world index: nets and goals come between the initial slots and those added later.</summary>
+    /// <summary>Converts a slot to a world index: nets, goals, zones and ends of nets come between the initial slots and those added later.</summary>
     private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);
 
     /// <summary>Returns the slot of the collider that has a given number and whose surface is nearest to a ball.</summary>

@@ -45,7 +45,8 @@ internal sealed partial class World
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
             HasPassages = Nets.Length + Goals.Length > 0;
-            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
+            int passages = Nets.Length + Goals.Length + scene.Zones.Count;
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, passages + (2 * Nets.Length));
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
@@ -69,6 +70,7 @@ internal sealed partial class World
         BroadPhase = new BroadPhase(this);
         Moves = BroadPhase.Moving.Length > 0 || Engine is not null;
         _names = !scene.HasThings && _zones == 0 ? ["ground"] : NamesOf(scene);
+        AddNetEnds();
     }
 
     /// <summary>The ball.</summary>
@@ -77,15 +79,31 @@ internal sealed partial class World
     /// <summary>The ground; null if there is none.</summary>
     public Collider? Ground { get; }
 
-    /// <summary>The ground, obstacles, posts and bars; then bodies, and engine colliders.</summary>
+    /// <summary>The ground, obstacles, posts and bars; then bodies, and engine colliders; from <see cref="FirstPassage"/> on, gaps for the passages, and the
+    /// ends of the nets.</summary>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The index of the first net. Goals follow nets, and zones follow goals.</summary>
+    /// <summary>The index of the first net. Goals follow nets, zones follow goals, and the ends of the nets follow zones.</summary>
     /// <remarks>Engine slots that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
     /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
+
+    /// <summary>True if an index belongs to the end of a net. The ends follow the zones: two for each net, one for each side.</summary>
+    public bool IsNetEnd(long thing) => (ulong)(thing - FirstNetEnd) < (ulong)(2 * Nets.Length);
+
+    /// <summary>Returns the index of the end of a net for the ball's side of it.</summary>
+    public int EndOfNet(int net, ulong sides) => FirstNetEnd + (2 * net) + (int)(sides >> net & 1);
+
+    /// <summary>True if a ball is in the net of an end, on its side.</summary>
+    public bool ActsOn(long netEnd, in BallState s)
+    {
+        int net = (int)(netEnd - FirstNetEnd) / 2;
+        return (s.Nets >> net & 1) != 0 && EndOfNet(net, s.NetSides) == netEnd;
+    }
+
+    private int FirstNetEnd => FirstPassage + Nets.Length + Goals.Length + _zones;
 
     /// <summary>The objects by their bounds.</summary>
     public BroadPhase BroadPhase { get; }
@@ -227,6 +245,18 @@ internal sealed partial class World
         Colliders = colliders;
     }
 
+    /// <summary>Adds the ends of the nets as colliders. The indices of nets, goals and zones before them stay without a collider of their own.</summary>
+    private void AddNetEnds()
+    {
+        if (Nets.Length == 0)
+        {
+            return;
+        }
+
+        Collider[] ends = [.. Nets.SelectMany(net => new[] { net.EndOn(-1), net.EndOn(1) })];
+        Colliders = [.. Colliders, .. Enumerable.Repeat(ends[0], FirstNetEnd - FirstPassage), .. ends];
+    }
+
     // Keep code that a bare pitch does not need in a separate method, so that games without obstacles need not compile it.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
@@ -282,6 +312,9 @@ internal sealed partial class World
             s.Carrier = carrier;
         }
     }
+
+    /// <summary>Returns the index of a thing in events: the end of a net counts as the net.</summary>
+    public long Reported(long thing) => IsNetEnd(thing - FirstCollider) ? ThingOfNet((int)(thing - FirstCollider - FirstNetEnd) / 2) : thing;
 
     /// <summary>Returns the index of a collider in states and events: an engine collider has its own number.</summary>
     public int ThingOf(int collider) => Engine?.NumberOf(collider) is >= 0 and int number ? number : collider + FirstCollider;

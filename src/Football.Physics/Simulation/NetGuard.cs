@@ -124,7 +124,7 @@ internal sealed class NetGuard
     {
         var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
         double r = _world.Ball.Radius;
-        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
+        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length, s.Nets, s.NetSides);
         while (near.Next(out int i))
         {
             // Planes have no bounding box, so check their distance here.

@@ -136,6 +136,12 @@ internal sealed class SurfacePhase<TIntegrator>
             return false;
         }
 
+        // The end of a net has no friction: a ball rests there as it rests in the net.
+        if (piece.System.Carrier.IsNetEnd && _contact.RestsInNet(ref s, ref run))
+        {
+            return false;
+        }
+
         bool grips = piece.System.Grips(in piece.On) || KeepsGrip(in s, in run);
         Vector3d moving = rolls ? piece.On.Rolling : piece.System.SlipOf(in piece.From, in piece.On);
         piece.Size = moving.Length;

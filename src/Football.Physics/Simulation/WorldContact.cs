@@ -100,7 +100,7 @@ internal sealed partial class WorldContact
         Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.Spin, in n), in n, _world.Ball.Radius);
         if (!run.Jumped)
         {
-            run.Report(BallEventKind.Roll, s.Carrier, in n, in s, s.Velocity, in spin);
+            run.Report(BallEventKind.Roll, _world.Reported(s.Carrier), in n, in s, s.Velocity, in spin);
         }
 
         run.Jumped = false;
@@ -156,7 +156,7 @@ internal sealed partial class WorldContact
     {
         Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
         s.Motion = MotionState.Sliding;
-        run.Report(BallEventKind.Slide, s.Carrier, in n, in s, s.Velocity, s.Spin);
+        run.Report(BallEventKind.Slide, _world.Reported(s.Carrier), in n, in s, s.Velocity, s.Spin);
     }
 
     /// <summary>Releases the ball from its carrier, and divides the rest of the step from scratch.</summary>
@@ -174,12 +174,26 @@ internal sealed partial class WorldContact
         Rest(ref s, carrier.MaterialVelocity(s.Position, s.Time), carrier.Spin, ref run);
     }
 
-    /// <summary>Brings the ball to rest in a net.</summary>
-    public void RestInNet(ref BallState s, int net, ref StepRun run)
+    /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
+    /// <returns>True if the ball rests.</returns>
+    public bool RestsInNet(ref BallState s, ref StepRun run)
     {
-        s.Carrier = _world.ThingOfNet(net);
-        s.Branch = DragBranch.Unknown;
-        Rest(ref s, Vector3d.Zero, Vector3d.Zero, ref run);
+        if (!(_world.Energy(s.Velocity, s.Spin) <= _world.RestEnergy))
+        {
+            return false;
+        }
+
+        // A slow ball may only be turning around, so also require that all forces balance, including those of nets.
+        bool rests = _load.HangsStill(in s);
+        run.Log.Evaluations++;
+        if (rests)
+        {
+            s.Carrier = _world.ThingOfNet(_world.NetForces.Deepest(in s));
+            s.Branch = DragBranch.Unknown;
+            Rest(ref s, Vector3d.Zero, Vector3d.Zero, ref run);
+        }
+
+        return rests;
     }
 
     private static void Rest(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
@@ -198,7 +212,7 @@ internal sealed partial class WorldContact
     {
         // If several surfaces could support the ball, use the first one in scene order.
         int first = int.MaxValue;
-        var near = NearThings.At(_world, s.Position, s.Time);
+        var near = NearThings.At(_world, in s);
         while (near.Next(out int i))
         {
             first = i < first && TakesUp(in s, i, out _) ? i : first;

@@ -31,7 +31,7 @@ internal sealed class WorldGuard
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
         int first = int.MaxValue;
         bool takesUp = false;
-        var near = NearThings.At(_world, s.Position, s.Time);
+        var near = NearThings.At(_world, in s);
         while (near.Next(out int i))
         {
             // Use the first collider in scene order, regardless of the traversal order. Between two bodies, the contact normals decide.

@@ -45,7 +45,7 @@ public sealed class BankShotAimer
         Scene made = _simulator.Scene;
         World world = _simulator.World;
         _ground = world.Ground;
-        _colliders = world.Colliders;
+        _colliders = world.Colliders.AsSpan(0, world.FirstPassage).ToArray();
         _first = world.FirstCollider;
         _flight = new BankShotFlight(_simulator);
         Scene empty = AimContext.WithoutThings(made);

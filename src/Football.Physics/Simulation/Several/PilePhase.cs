@@ -186,11 +186,11 @@ internal sealed class PilePhase
         s.Velocity = Vector3d.Zero;
     }
 
-    private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool reports, StepLog log)
+    private void Report(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool reports, StepLog log)
     {
         if (reports)
         {
-            log.Report(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
+            log.Report(new BallEvent(kind, (int)_world.Reported(thing), in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
         }
     }
 }
