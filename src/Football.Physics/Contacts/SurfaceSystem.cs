@@ -204,15 +204,14 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts. On the end of a
-        // net, it counts in full: the net pulls the ball off its end.
+        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts; on the end of a net,
+        // all of it does, because the net pulls the ball off its end.
         double pressing = 0;
         if (Nets != 0)
         {
             MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-            double pulling = Vector3d.Dot(nets.Acceleration, in n);
-            load -= Carrier.IsNetEnd ? pulling : 0;
-            pressing = Carrier.IsNetEnd ? 0 : Math.Max(0, -pulling);
+            pressing = -Vector3d.Dot(nets.Acceleration, in n);
+            pressing = Carrier.IsNetEnd ? pressing : Math.Max(0, pressing);
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;
         }
