@@ -39,8 +39,8 @@ internal sealed class NetDraw
 {
     private const double LongestPlay = 8;
 
-    /// <summary>The longest time until the ball rests, s: it rolls on ice, or swings in a loose net.</summary>
-    private const double LongestRest = 300;
+    /// <summary>The longest time until the ball rests, s: a heavy ball that spins in a net.</summary>
+    private const double LongestRest = 1000;
 
     /// <summary>A body whose surface is nearer than this after a frame may do work in the frame, m.</summary>
     private const double Near = 0.05;
@@ -69,11 +69,11 @@ internal sealed class NetDraw
         _random = random;
         _play = random.Any(NetPlay.Walked, NetPlay.Kicked, NetPlay.Pressed);
         BallProperties[] presets = [.. BallProperties.Presets.Values];
-        BallProperties ball = random.Any(presets) with { KnuckleForce = 0 };
+        BallProperties ball = presets[random.Below(presets.Length)] with { KnuckleForce = 0 };
         Scene profile = random.Chance(0.3) ? Scene.Published : new Scene();
         profile = profile with
         {
-            Ball = random.Chance(0.1) ? ball with { Mass = random.Log(0.02, 20), Radius = random.Log(0.02, 0.2) } : ball,
+            Ball = random.Chance(0.1) ? ball with { Mass = random.Log(0.1, 20), Radius = random.Log(0.02, 0.2) } : ball,
             Ground = random.Chance(0.3) ? Ground.Of(random.Any(SurfaceMaterial.WetTurf, SurfaceMaterial.Concrete, SurfaceMaterial.Indoor)) : profile.Ground,
         };
         _pushers = _play == NetPlay.Kicked ? [] : [.. Enumerable.Range(0, _play == NetPlay.Pressed && random.Chance(0.4) ? 2 : 1).Select(_ => new Pusher(random))];
@@ -91,7 +91,7 @@ internal sealed class NetDraw
             Bodies = _pushers.Length > 0 ? bodies : null,
         };
         _nets = [.. _scene.Nets, .. _scene.Goals.SelectMany(item => item.Nets())];
-        _target = random.Any(_nets);
+        _target = _nets[random.Below(_nets.Length)];
         _simulator = new Simulator(_scene, new SolverSettings { Integrator = random.Any(Integrator.Rk4, Integrator.Rk4, Integrator.Rk2) });
         _step = random.Any(1 / 30.0, 1 / 60.0, 1 / 60.0, 1 / 100.0, 1 / 144.0);
         _weight = -_scene.Ball.Mass * FootballPhysics.Scenes.Weight.UpwardAcceleration(_scene);
@@ -126,7 +126,7 @@ internal sealed class NetDraw
             Stiffness = random.Chance(0.3) ? 400 : random.Log(50, 5000),
             Damping = random.Chance(0.3) ? 1.5 : random.Uniform(0.3, 5),
             TangentialDamping = random.Chance(0.3) ? 60 : random.Uniform(5, 300),
-            SpinDamping = random.Chance(0.3) ? 0.02 : random.Uniform(0.002, 0.1),
+            SpinDamping = random.Chance(0.3) ? 0.02 : random.Uniform(0.01, 0.1),
         };
     }
 
@@ -199,7 +199,7 @@ internal sealed class NetDraw
         foreach (Pusher pusher in _pushers)
         {
             pusher.MoveTo(in _state, _step);
-            works |= pusher.DistanceTo(_state.Position) - _scene.Ball.Radius < Near + (_step * _state.Velocity.Length);
+            works |= pusher.DistanceTo(_state.Position) - _scene.Ball.Radius < Near + (_step * (pusher.Speed + _state.Velocity.Length));
         }
 
         BallState before = _state;
@@ -243,7 +243,7 @@ internal sealed class NetDraw
     private void CompareEnergy(in BallState before)
     {
         double stretched = 0;
-        foreach (ref readonly BallEvent happened in _log.Events.Span)
+        foreach (BallEvent happened in _log.Events.Span)
         {
             if (happened.Kind == BallEventKind.Net)
             {

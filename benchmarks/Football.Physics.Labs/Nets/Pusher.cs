@@ -35,6 +35,9 @@ internal sealed class Pusher
     /// <summary>True if it is far from the ball.</summary>
     public bool IsGone { get; private set; }
 
+    /// <summary>Its speed, m/s.</summary>
+    public double Speed => _velocity.Length;
+
     /// <summary>Puts the body behind the ball.</summary>
     /// <param name="ball">The ball's centre, m.</param>
     /// <param name="way">The direction in which it pushes.</param>

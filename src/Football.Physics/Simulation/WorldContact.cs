@@ -167,6 +167,25 @@ internal sealed partial class WorldContact
         Fly(ref s, in velocity, in spin);
     }
 
+    /// <summary>Releases a ball from the end of a net that it has left over an edge.</summary>
+    public void LeaveNetEnd(ref BallState s, ref StepRun run)
+    {
+        long carrier = s.Carrier - _world.FirstCollider;
+        if (s.Motion == MotionState.Airborne || !_world.IsNetEnd(carrier) || _world.ActsOn(carrier, in s))
+        {
+            return;
+        }
+
+        if (s.Motion == MotionState.Pinned)
+        {
+            s.Carrier = 0;
+        }
+        else
+        {
+            Leave(ref s, s.Velocity, s.Spin, ref run);
+        }
+    }
+
     /// <summary>Brings the ball to rest on its carrier; it then moves along with the carrier.</summary>
     public void Rest(ref BallState s, ref StepRun run)
     {

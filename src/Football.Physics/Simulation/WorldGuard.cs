@@ -199,12 +199,13 @@ internal sealed class WorldGuard
                 break;
             default:
                 Pass(ref s, in met, ref run);
+                _contact.LeaveNetEnd(ref s, ref run);
                 break;
         }
     }
 
     /// <summary>Notes that the ball enters or leaves a net or a goal.</summary>
-    private void Pass(ref BallState s, in Separation met, ref StepRun run)
+    public void Pass(ref BallState s, in Separation met, ref StepRun run)
     {
         switch (met.What)
         {

@@ -90,7 +90,7 @@ internal sealed class PilePhase
             s.Position = path.At(at);
             s.Time += at;
             var run = new StepRun(0, s.Time, log);
-            _guard.Meet(ref s, in met, ref run);
+            _guard.Pass(ref s, in met, ref run);
         }
 
         s.Position += (end - s.Time) * way;
@@ -112,6 +112,8 @@ internal sealed class PilePhase
             return;
         }
 
+        // The ball may have left the net in its last part.
+        carrier = _world.IsNetEnd(carrier) && !_world.ActsOn(carrier, in s) ? -1 : carrier;
         bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding or MotionState.Rest;
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
