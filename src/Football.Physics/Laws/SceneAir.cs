@@ -16,6 +16,7 @@ internal struct SceneAir : IFlightAir
     private readonly WindByHeight? _byHeight;
     private readonly KnuckleForce? _knuckle;
     private readonly OwnForces? _own;
+    private readonly Vector3d _sideways;
     private readonly double _radiusSquared;
     private readonly bool _hasField;
     private readonly bool _jumpsInField;
@@ -28,6 +29,8 @@ internal struct SceneAir : IFlightAir
         _knuckle = KnuckleForce.Of(scene);
         _own = hasOwnForces ? new OwnForces(scene) : null;
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _sideways = Scenes.Weight.Sideways(scene);
+        Tilts = scene.IsTilted;
         _hasField = HasFieldIn(scene);
         _jumpsInField = _hasField && laws.Jumps;
         Jumps = !_hasField && laws.Jumps;
@@ -49,11 +52,15 @@ internal struct SceneAir : IFlightAir
     /// <summary>True if spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
-    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
+    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null || Tilts;
 
     public readonly bool HasField => _hasField;
 
     public readonly bool HasSide => _knuckle is not null;
+
+    public readonly bool Tilts { get; }
+
+    public readonly Vector3d Sideways => _sideways;
 
     public readonly bool Jumps { get; }
 
