@@ -56,6 +56,8 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>The holding torque per moment of inertia, rad/s².</summary>
     public double HeldSpin;
 
+    public ForceTrace* Trace { get; set; }
+
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
         for (int i = 0; i < Count; i++)
@@ -88,6 +90,10 @@ internal unsafe struct ContactSystem : IMotionSystem
         Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
+        if (Trace != null)
+        {
+            Trace->Add(in air.Acceleration, in air.SpinAcceleration);
+        }
 
         // a_air = L (ω × u) − D u; the ground's settings determine which share of it acts.
         Vector3d push = air.Acceleration;

@@ -14,7 +14,7 @@ namespace FootballPhysics.Contacts;
 /// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
 /// The normal part of v̇ keeps the ball on the surface.
 /// </remarks>
-internal struct SurfaceSystem : IMotionSystem
+internal unsafe struct SurfaceSystem : IMotionSystem
 {
     /// <summary>The share of the distance to the singularity of the direction that a part takes, and the greatest product of length and turning rate.</summary>
     private const double ShareOfPart = 0.6;
@@ -82,6 +82,8 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Spin decay by the air in a slide if it exceeds the torque of friction, rad/s²; otherwise 0.</summary>
     /// <remarks>The spin can then only decrease.</remarks>
     private double _ending;
+
+    public ForceTrace* Trace { get; set; }
 
     /// <summary>Creates the system of a ball on a carrier, which slides unless <see cref="Rolls"/> is set.</summary>
     /// <param name="around">The forces.</param>
@@ -201,6 +203,11 @@ internal struct SurfaceSystem : IMotionSystem
         on.Air = Tangential(in push, in n);
         on.Own = air.Acceleration;
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        if (Trace != null)
+        {
+            Trace->Add(in on.Own, in on.Torque);
+        }
+
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 

@@ -4,10 +4,9 @@ using FootballPhysics.Simulation;
 namespace FootballPhysics.Prediction;
 
 /// <summary>Stores the segments of a path, and ends the look-ahead as soon as a stop condition is met.</summary>
-internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : PathObserver
+internal sealed class PathRecorder(Trajectory owner) : PathObserver
 {
     private readonly Trajectory _owner = owner;
-    private readonly PathSegment[] _pieces = pieces;
     private bool _untilPlane;
     private Plane3d _plane;
     private bool _untilPassing;
@@ -61,20 +60,20 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         // If the step starts where the open segment ends, it has computed the acceleration that this segment lacks.
         if (_open >= 0 && _openEnd.Time == time && _openEnd.Position == position && _openEnd.Flight.Velocity == velocity && _openEnd.Flight.SpinRate == spin)
         {
-            PathSegment.Close(ref _pieces[_open], in acceleration);
+            PathSegment.Close(ref _owner.Buffer[_open], in acceleration);
             _owner.Log.Evaluations -= _isShown ? 1 : 0;
             _open = -1;
         }
 
         Close();
-        if (_owner.Count == _pieces.Length)
+        if (!_owner.MakeRoom())
         {
             Overflows = true;
             return !GoesOn;
         }
 
         _open = _owner.Count++;
-        PathSegment.Write(ref _pieces[_open], time, length, in position, in velocity, in acceleration, end.Position, in end.Flight.Velocity, degree);
+        PathSegment.Write(ref _owner.Buffer[_open], time, length, in position, in velocity, in acceleration, end.Position, in end.Flight.Velocity, degree);
 
         // Copy only the values on which an acceleration depends.
         _openStepper = stepper;
@@ -104,20 +103,20 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
             Close();
         }
 
-        if (_owner.Count == _pieces.Length)
+        if (!_owner.MakeRoom())
         {
             Overflows = true;
             return !GoesOn;
         }
 
-        PathSegment.WriteFall(ref _pieces[_owner.Count++], in start, h, end, climb, height, upward, degree);
+        PathSegment.WriteFall(ref _owner.Buffer[_owner.Count++], in start, h, end, climb, height, upward, degree);
         return IsFull();
     }
 
     /// <summary>True if the last segment fills the buffer and the look-ahead is to end there.</summary>
     private bool IsFull()
     {
-        bool full = EndsWhenFull && _owner.Count == _pieces.Length;
+        bool full = EndsWhenFull && _owner.IsFull;
         _owner.IsComplete = !full;
         return full;
     }
@@ -137,7 +136,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         {
             _openStepper!.EndAcceleration(in _openEnd, _openLength, out Vector3d acceleration);
             _owner.Log.Evaluations++;
-            PathSegment.Close(ref _pieces[_open], in acceleration);
+            PathSegment.Close(ref _owner.Buffer[_open], in acceleration);
             _isShown = true;
         }
     }
@@ -149,13 +148,13 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
 
         // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
         // after every segment would restart the step each time, possibly forever.
-        if (_owner.Count == _pieces.Length)
+        if (!_owner.MakeRoom())
         {
             Overflows = true;
             return !GoesOn;
         }
 
-        _pieces[_owner.Count++] = piece;
+        _owner.Buffer[_owner.Count++] = piece;
 
         // End at the last segment that fits, at the plane, or when the ball no longer approaches the point.
         return IsFull() || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
@@ -164,19 +163,20 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
     /// <summary>Adds a segment for the time that the ball rested before a segment, because a ball at rest takes no pieces.</summary>
     private void AddRest(in PathSegment next)
     {
-        if (_owner.Count == _pieces.Length)
+        if (_owner.IsFull)
         {
             return;
         }
 
         bool isFirst = _owner.Count == 0;
-        double from = isFirst ? _owner.StartTime : _pieces[_owner.Count - 1].EndTime;
+        double from = isFirst ? _owner.StartTime : _owner.Buffer[_owner.Count - 1].EndTime;
         double length = next.Time - from;
         if (length > ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * next.Time))
         {
             Vector3d still = Vector3d.Zero;
-            Vector3d place = isFirst ? next.StartPosition : _pieces[_owner.Count - 1].EndPosition;
-            _pieces[_owner.Count++] = new PathSegment(from, length, in place, in still, in still, in place, in still, in still, MotionState.Rest, 5);
+            Vector3d place = isFirst ? next.StartPosition : _owner.Buffer[_owner.Count - 1].EndPosition;
+            _owner.MakeRoom();
+            _owner.Buffer[_owner.Count++] = new PathSegment(from, length, in place, in still, in still, in place, in still, in still, MotionState.Rest, 5);
         }
     }
 }

@@ -3,26 +3,31 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Prediction;
 
 /// <summary>A predicted path of the ball, which can be evaluated at any time.</summary>
-/// <remarks>Create one and reuse it: a look-ahead overwrites the path without allocating.</remarks>
+/// <remarks>Create one and reuse it: a look-ahead overwrites the path, and allocates only if the path is longer than all earlier ones.</remarks>
 public sealed partial class Trajectory
 {
     /// <summary>The factor from a position tolerance to a velocity tolerance, in 1/s; a larger deviation counts as a kick.</summary>
     private const double VelocityShare = 100;
 
-    private readonly PathSegment[] _pieces;
+    /// <summary>The number of segments up to which a trajectory grows; a larger capacity stays.</summary>
+    private const int MostGrown = 1 << 16;
+
     private readonly PathRecorder _recorder;
+    private readonly bool _grows;
+    private PathSegment[] _pieces;
     private BallState _final;
     private Action<double>? _bodiesAt;
 
-    /// <summary>Creates a trajectory with its own buffer.</summary>
-    /// <param name="capacity">The number of segments that fit, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
+    /// <summary>Creates a trajectory with its own buffer, which grows if a path does not fit, up to 65 536 segments, and keeps its size.</summary>
+    /// <param name="capacity">The number of segments that fit without growing, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
     public Trajectory(int capacity = 512)
         : this(new PathSegment[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
     {
+        _grows = true;
     }
 
-    /// <summary>Creates a trajectory in a buffer that you provide.</summary>
+    /// <summary>Creates a trajectory in a buffer that you provide, which never grows.</summary>
     /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when the buffer is full, and <see cref="IsComplete"/> is then false.</param>
     /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
@@ -34,7 +39,7 @@ public sealed partial class Trajectory
             throw Check.Refusal("memory.Length", "0", "1 or more");
         }
 
-        _recorder = new PathRecorder(this, _pieces);
+        _recorder = new PathRecorder(this);
         Log.Observer = _recorder;
     }
 
@@ -60,9 +65,6 @@ public sealed partial class Trajectory
     public long Evaluations => Log.Evaluations;
 
     internal StepLog Log { get; } = new();
-
-    /// <summary>The log of trial steps, which are not part of the path.</summary>
-    internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
     internal int Count { get; set; }
 
@@ -195,6 +197,24 @@ public sealed partial class Trajectory
         }
 
         return best;
+    }
+
+    /// <summary>The buffer.</summary>
+    internal PathSegment[] Buffer => _pieces;
+
+    /// <summary>True if the buffer is full, and cannot grow.</summary>
+    internal bool IsFull => Count == _pieces.Length && !(_grows && Count < MostGrown);
+
+    /// <summary>Makes room for another segment; the buffer doubles.</summary>
+    /// <returns>False if the buffer is full.</returns>
+    internal bool MakeRoom()
+    {
+        if (Count == _pieces.Length && !IsFull)
+        {
+            Array.Resize(ref _pieces, Math.Min(2 * Count, MostGrown));
+        }
+
+        return Count < _pieces.Length;
     }
 
     /// <summary>Prepares for a look-ahead.</summary>

@@ -43,8 +43,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private readonly StabilityLimit _limit;
     private readonly NetGuard _nets;
     private readonly ContactSetParts _parts;
+    private readonly OwnForceGuard? _own;
 
-    public ContactSetPhase(Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ContactSetParts parts)
+    public ContactSetPhase(Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ContactSetParts parts, OwnForceGuard? own)
     {
         _around = around;
         _world = around.World;
@@ -54,6 +55,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         _contact = contact;
         _nets = new NetGuard(_world);
         _parts = parts;
+        _own = own;
     }
 
     /// <summary>Takes the next piece if several contacts are active. If another single contact is active, it becomes the carrier.</summary>
@@ -85,6 +87,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 return true;
         }
 
+        if (_own is not null)
+        {
+            return TakeUnderOwn(ref s, ref run, set, ref piece, _own);
+        }
+
         if (s.Nets != 0)
         {
             return Take<Substeps>(ref s, ref run, set, ref piece);
@@ -93,12 +100,74 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece) : Take<TIntegrator>(ref s, ref run, set, ref piece);
     }
 
+    /// <summary>Takes a piece with custom forces: by the scene's integrator if it follows them, otherwise of order 8.</summary>
+    private bool TakeUnderOwn(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece, OwnForceGuard own)
+    {
+        ref ContactSystem system = ref piece.System;
+        ForceTrace trace = default;
+        trace.Begin(_around.Radius);
+        system.Trace = &trace;
+        system.Free(s.Time, in piece.From, out _, out _, out _);
+        run.Log.Evaluations++;
+        piece.Length = own.LongestOf(piece.Length, ref run);
+        if (s.Nets != 0)
+        {
+            piece.Length = Math.Min(piece.Length, system.LongestPart(in piece.From, default));
+            run.Follow(piece.Length);
+        }
+
+        bool? took = run.Followed > 0 ? null
+            : run.Spirals ? TryUnderOwn<ClassicalRungeKutta>(ref s, ref run, set, ref piece, own)
+            : TryUnderOwn<TIntegrator>(ref s, ref run, set, ref piece, own);
+        return took ?? Follow(ref s, ref run, set, ref piece, own);
+    }
+
+    /// <summary>Takes a piece by a method if it follows the custom forces.</summary>
+    /// <returns>Null if it does not, and the ball has not moved.</returns>
+    [SkipLocalsInit]
+    private bool? TryUnderOwn<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece, OwnForceGuard own)
+        where TMethod : struct, IMotionMethod
+    {
+        double* starts = stackalloc double[SetMargin<TMethod>.Most];
+        Start(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        ForceTrace* trace = sweep.System.Trace;
+        trace->Restart();
+        sweep.Step(piece.Length);
+        if (own.IsFollowed(ref sweep, in piece.From, trace, ref run))
+        {
+            return Finish(ref s, ref run, ref sweep, set, starts, ref piece);
+        }
+
+        run.Log.Evaluations += sweep.Evaluations;
+        return null;
+    }
+
+    /// <summary>Takes a piece of order 8.</summary>
+    [SkipLocalsInit]
+    private bool Follow(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece, OwnForceGuard own)
+    {
+        double* starts = stackalloc double[SetMargin<EighthOrder>.Most];
+        Start(in s, in piece, starts, out MotionSweep<ContactSystem, EighthOrder> sweep);
+        return !own.Follow(ref sweep, piece.Length, sweep.System.Trace, ref run) || Finish(ref s, ref run, ref sweep, set, starts, ref piece);
+    }
+
     [SkipLocalsInit]
     private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
         where TMethod : struct, IMotionMethod
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
-        Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        Start(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        sweep.Step(piece.Length);
+        return Finish(ref s, ref run, ref sweep, set, starts, ref piece);
+    }
+
+    /// <summary>Ends a piece at its first event, moves the ball, and handles the event. If the set has no solution, takes the parts instead.</summary>
+    private bool Finish<TMethod>(
+        ref BallState s, ref StepRun run, ref MotionSweep<ContactSystem, TMethod> sweep, Span<Contact> set, double* starts, ref SetPiece piece)
+        where TMethod : struct, IMotionMethod
+    {
+        sweep.System.Trace = null;
+        piece.System.Trace = null;
         if (!SetGuard.IsFinite(sweep.EndMotion))
         {
             run.Log.Evaluations += sweep.Evaluations;
@@ -183,14 +252,13 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return SetMotion.Several;
     }
 
-    private static void Integrate<TMethod>(in BallState s, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
+    private static void Start<TMethod>(in BallState s, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
         ref readonly ContactSystem system = ref piece.System;
         var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
         sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in start, system.Around.Wind, system.Around.Radius);
         SetMargin<TMethod>.Start(ref sweep, in s, in piece.From, starts);
-        sweep.Step(piece.Length);
     }
 
     /// <summary>Ends a piece at the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction limit, slip, rest), a

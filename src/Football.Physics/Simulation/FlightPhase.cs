@@ -24,6 +24,7 @@ internal sealed class FlightPhase<TIntegrator>
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly NetGuard _nets;
+    private readonly OwnForceGuard? _own;
     private readonly double _fastestWind;
 
     public FlightPhase(
@@ -32,7 +33,8 @@ internal sealed class FlightPhase<TIntegrator>
         in StabilityLimit limit,
         DragJumpGuard jump,
         WorldGuard guard,
-        WorldContact contact)
+        WorldContact contact,
+        OwnForceGuard? own)
     {
         _world = around.World;
         _guard = guard;
@@ -46,6 +48,7 @@ internal sealed class FlightPhase<TIntegrator>
         _system = new FlightSystem { Around = around };
         _gainsByHops = default(TIntegrator).GainsByHops;
         _fastestWind = around.Air.FastestWind;
+        _own = own;
     }
 
     /// <summary>Takes the next piece of a flight.</summary>
@@ -59,7 +62,11 @@ internal sealed class FlightPhase<TIntegrator>
 
         // RK4 does not speed up a velocity that turns by up to 2.8 rad. A net reacts within less than a step: use RK4 substeps.
         bool spirals = run.Spirals && run.Whole != WholeStep.Ends;
-        if (s.Nets != 0)
+        if (_own is not null)
+        {
+            TakeUnderOwn(ref s, ref run, h, _own);
+        }
+        else if (s.Nets != 0)
         {
             TakeFreely<Substeps>(ref s, ref run, h);
         }
@@ -88,13 +95,70 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    /// <summary>Takes a piece with custom forces: by the scene's integrator if it follows them, otherwise of order 8.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
-    private void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
+    private void TakeUnderOwn(ref BallState s, ref StepRun run, double h, OwnForceGuard own)
+    {
+        // The forces of a net change as fast as those of a stiff spring.
+        h = own.LongestOf(h, ref run);
+        if (s.Nets != 0)
+        {
+            h = Math.Min(h, _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity));
+            run.Follow(h);
+        }
+
+        bool follows = run.Followed > 0 || (run.Spirals ? TryUnderOwn<ClassicalRungeKutta>(ref s, ref run, h, own) : TryUnderOwn<TIntegrator>(ref s, ref run, h, own));
+        if (follows)
+        {
+            Follow(ref s, ref run, h, own);
+        }
+    }
+
+    /// <summary>Takes a piece by a method if it follows the custom forces.</summary>
+    /// <returns>True if it does not, and the ball has not moved.</returns>
+    private unsafe bool TryUnderOwn<TMethod>(ref BallState s, ref StepRun run, double h, OwnForceGuard own)
         where TMethod : struct, IMotionMethod
     {
-        Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
+        ForceTrace trace;
+        Start(in s, ref run, &trace, out MotionSweep<FlightSystem, TMethod> sweep);
+        sweep.Step(h);
+        if (!own.IsFollowed(ref sweep, MotionOf(in s), &trace, ref run))
+        {
+            run.Log.Evaluations += sweep.Evaluations;
+            return true;
+        }
+
+        Finish(ref s, ref run, ref sweep);
+        return false;
+    }
+
+    /// <summary>Takes a piece of order 8.</summary>
+    private unsafe void Follow(ref BallState s, ref StepRun run, double h, OwnForceGuard own)
+    {
+        ForceTrace trace;
+        Start(in s, ref run, &trace, out MotionSweep<FlightSystem, EighthOrder> sweep);
+        if (own.Follow(ref sweep, h, &trace, ref run))
+        {
+            Finish(ref s, ref run, ref sweep);
+        }
+    }
+
+    /// <summary>Takes a piece with the full spin vector: along the jump in the drag law, or in a net.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
+    private unsafe void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
+        where TMethod : struct, IMotionMethod
+    {
+        Start(in s, ref run, null, out MotionSweep<FlightSystem, TMethod> sweep);
+        sweep.Step(h);
         NetGuard.KeepFinite(ref sweep, in s);
+        Finish(ref s, ref run, ref sweep);
+    }
+
+    /// <summary>Ends a piece with the full spin vector at its first event, moves the ball, and handles the event.</summary>
+    private unsafe void Finish<TMethod>(ref BallState s, ref StepRun run, ref MotionSweep<FlightSystem, TMethod> sweep)
+        where TMethod : struct, IMotionMethod
+    {
+        sweep.System.Trace = null;
         int order = default(TMethod).Order;
         if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
         {
@@ -159,12 +223,20 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>Integrates a piece with the full spin vector.</summary>
-    private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, out MotionSweep<FlightSystem, TMethod> sweep)
+    private static Motion MotionOf(in BallState s) => new(s.Position, s.Velocity, s.Spin, s.AirDistance);
+
+    /// <summary>Computes the rates at the start of a piece with the full spin vector.</summary>
+    private unsafe void Start<TMethod>(in BallState s, ref StepRun run, ForceTrace* trace, out MotionSweep<FlightSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
-        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        Motion from = MotionOf(in s);
         FlightSystem system = _system;
+        if (trace != null)
+        {
+            trace->Begin(_around.Radius);
+            system.Trace = trace;
+        }
+
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
@@ -172,7 +244,6 @@ internal sealed class FlightPhase<TIntegrator>
         system.NetsSlack = _nets.SlackAt(in s, start.Acceleration);
         run.Log.Evaluations++;
         sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
-        sweep.Step(h);
     }
 
     /// <summary>Ends a piece with a constant spin axis at the first event within it.</summary>
@@ -212,7 +283,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
-        if (goes && s.Nets != 0)
+        if (goes && (s.Nets != 0 || typeof(TMethod) == typeof(EighthOrder)))
         {
             double length = sweep.Length;
             _nets.EndWhereSlack(ref sweep, in s, sweep.System.NetsSlack);

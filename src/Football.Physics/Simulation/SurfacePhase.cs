@@ -50,10 +50,11 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly SlideEnd _slideEnd;
     private readonly bool _endsSlipExactly;
     private readonly SurfaceHold _hold;
+    private readonly OwnForceGuard? _own;
 
     public SurfacePhase(
         Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact,
-        ContactSetPhase<TIntegrator> set)
+        ContactSetPhase<TIntegrator> set, OwnForceGuard? own)
     {
         _around = around;
         _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
@@ -63,6 +64,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _guard = guard;
         _contact = contact;
         _set = set;
+        _own = own;
         _nets = new NetGuard(_world);
         _hold = new SurfaceHold(scene, around);
         _slideEnd = new SlideEnd(around, jump, default(TIntegrator).Order);
@@ -75,6 +77,12 @@ internal sealed class SurfacePhase<TIntegrator>
         SurfacePiece piece = default;
         if (!Propose(ref s, ref run, ref piece))
         {
+            return;
+        }
+
+        if (_own is not null)
+        {
+            TakeUnderOwn(ref s, ref run, ref piece, _own);
             return;
         }
 
@@ -94,10 +102,76 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
+    /// <summary>Takes a piece with custom forces: by the scene's integrator if it follows them, otherwise of order 8.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
+    private void TakeUnderOwn(ref BallState s, ref StepRun run, ref SurfacePiece piece, OwnForceGuard own)
+    {
+        piece.Length = own.LongestOf(piece.Length, ref run);
+        if (s.Nets != 0)
+        {
+            piece.Length = Math.Min(piece.Length, piece.System.LongestPart(in piece.From, in piece.Start));
+            run.Follow(piece.Length);
+        }
+
+        bool follows = run.Followed > 0 || (run.Spirals ? TryUnderOwn<ClassicalRungeKutta>(ref s, ref run, ref piece, own) : TryUnderOwn<TIntegrator>(ref s, ref run, ref piece, own));
+        if (follows)
+        {
+            Follow(ref s, ref run, ref piece, own);
+        }
+    }
+
+    /// <summary>Takes a piece by a method if it follows the custom forces.</summary>
+    /// <returns>True if it does not, and the ball has not moved.</returns>
+    private unsafe bool TryUnderOwn<TMethod>(ref BallState s, ref StepRun run, ref SurfacePiece piece, OwnForceGuard own)
+        where TMethod : struct, IMotionMethod
+    {
+        ForceTrace trace;
+        Begin(in s, in piece, &trace, out MotionSweep<SurfaceSystem, TMethod> sweep);
+        sweep.Step(piece.Length);
+        if (!own.IsFollowed(ref sweep, in piece.From, &trace, ref run))
+        {
+            run.Log.Evaluations += sweep.Evaluations;
+            return true;
+        }
+
+        Finish(ref s, ref run, ref sweep, ref piece);
+        return false;
+    }
+
+    /// <summary>Takes a piece of order 8.</summary>
+    private unsafe void Follow(ref BallState s, ref StepRun run, ref SurfacePiece piece, OwnForceGuard own)
+    {
+        ForceTrace trace;
+        Begin(in s, in piece, &trace, out MotionSweep<SurfaceSystem, EighthOrder> sweep);
+        if (own.Follow(ref sweep, piece.Length, &trace, ref run))
+        {
+            Finish(ref s, ref run, ref sweep, ref piece);
+        }
+    }
+
+    /// <summary>Begins a piece with custom forces.</summary>
+    private unsafe void Begin<TMethod>(in BallState s, in SurfacePiece piece, ForceTrace* trace, out MotionSweep<SurfaceSystem, TMethod> sweep)
+        where TMethod : struct, IMotionMethod
+    {
+        trace->Begin(_around.Radius);
+        trace->Add(in piece.On.Own, in piece.On.Torque);
+        SurfaceSystem system = piece.System;
+        system.Trace = trace;
+        sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in piece.From, in piece.Start, _around.Wind, _around.Radius);
+    }
+
     private void Take<TMethod>(ref BallState s, ref StepRun run, ref SurfacePiece piece)
         where TMethod : struct, IMotionMethod
     {
         Integrate(in s, in piece, out MotionSweep<SurfaceSystem, TMethod> sweep);
+        Finish(ref s, ref run, ref sweep, ref piece);
+    }
+
+    /// <summary>Ends a piece at its first event, moves the ball, and handles the event.</summary>
+    private unsafe void Finish<TMethod>(ref BallState s, ref StepRun run, ref MotionSweep<SurfaceSystem, TMethod> sweep, ref SurfacePiece piece)
+        where TMethod : struct, IMotionMethod
+    {
+        sweep.System.Trace = null;
         Shorten(ref sweep, ref s, ref run, ref piece);
         Move(ref s, ref run, ref sweep, in piece);
         Respond(ref s, ref run, in piece);
@@ -282,7 +356,11 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
-        _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
+        if (s.Nets != 0 || typeof(TMethod) == typeof(EighthOrder))
+        {
+            _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
+        }
+
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out piece.Met);
 
         // If the piece ends before the jump, keep the old branch.

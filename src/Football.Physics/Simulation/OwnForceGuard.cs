@@ -1,0 +1,146 @@
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
+
+/// <summary>Keeps the pieces of a motion so short that the integrator follows the custom forces.</summary>
+/// <remarks>
+/// The stages of a step show how far it is off. If the scene's integrator follows the forces, its step stands: soft forces cost nothing. Otherwise the pieces of the
+/// rest of the step have order 8, and as long as the error allows (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, II.4).
+/// </remarks>
+internal sealed unsafe class OwnForceGuard
+{
+    /// <summary>The largest error of the velocity that the forces may leave, per time, m/s².</summary>
+    /// <remarks>Above: a spring of 15/s at 60 Hz is 3 mm off after a second. Below: springs of 5/s need order 8.</remarks>
+    private const double LargestRate = 0.02;
+
+    /// <summary>The error of a piece that is small enough however short it is, m/s.</summary>
+    /// <remarks>Above: a ball that crosses edges of forces is millimetres off. Below: the pieces that find such an edge cost more.</remarks>
+    private const double SmallError = 1e-4;
+
+    /// <summary>The error of a piece of the shortest length at which the ball stays where it is, m/s.</summary>
+    private const double LostError = 0.1;
+
+    /// <summary>Up to this product of a stated stiffness and a length, the scene's integrator follows the force.</summary>
+    private const double Soft = 0.25;
+
+    /// <summary>The longest piece, as the product of its length and the stated stiffness: its path follows from its ends.</summary>
+    private const double LongestPiece = 1.0;
+
+    /// <summary>The squared product of rate and length up to which methods of low order do not overshoot.</summary>
+    private const double LargestOfLowOrder = 0.0625;
+
+    /// <summary>The share of the largest length at which the next piece is tried, and the bounds of the change of the length.</summary>
+    private const double Share = 0.8;
+    private const double LeastChange = 0.1;
+    private const double MostChange = 5.0;
+
+    /// <summary>1/order of the error of a piece of order 8, relative to the allowed one.</summary>
+    private const double PerOrder = 1.0 / 7.0;
+
+    private readonly double _radius;
+    private readonly double _stiffness;
+
+    /// <summary>Creates the guard of a scene.</summary>
+    public OwnForceGuard(Scene scene)
+    {
+        _radius = scene.Ball.Radius;
+        foreach (IForce force in scene.Forces.CustomForces)
+        {
+            _stiffness += force is IStiffForce stiff ? stiff.Stiffness : 0;
+        }
+    }
+
+    /// <summary>Returns the longest piece that the stated stiffness allows, s, and notes if it needs order 8.</summary>
+    public double LongestOf(double h, ref StepRun run)
+    {
+        if (!(_stiffness * h > Soft))
+        {
+            return h;
+        }
+
+        double longest = Math.Min(h, Math.Max(LongestPiece / _stiffness, run.ShortestOfAll));
+        run.Follow(longest);
+        return longest;
+    }
+
+    /// <summary>True if the scene's integrator has followed the forces in a step.</summary>
+    /// <param name="sweep">The step.</param>
+    /// <param name="from">The motion at its start.</param>
+    /// <param name="trace">The forces at its stages.</param>
+    /// <param name="run">The step of the ball; if the forces were not followed, it takes pieces of order 8 from now on.</param>
+    public bool IsFollowed<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, in Motion from, ForceTrace* trace, ref StepRun run)
+        where TSystem : struct, IMotionSystem
+        where TMethod : struct, IMotionMethod
+    {
+        double h = sweep.Length;
+        if (default(TMethod).Order >= default(ClassicalRungeKutta).Order)
+        {
+            double error = h * trace->ErrorOfClassical();
+            if (error <= Allowed(h))
+            {
+                return true;
+            }
+        }
+        else
+        {
+            // A method of low order need not be accurate, but must not overshoot: its stages do not show that, so evaluate the end.
+            sweep.EndRates();
+            double gained = (sweep.Taken.End.Velocity - from.Velocity).Length;
+            double spun = _radius * (sweep.Taken.End.Spin - from.Spin).Length;
+            double stiffness = trace->Stiffness(h, (sweep.Taken.End.Position - from.Position).Length, gained, spun, trace->Count - 1);
+            if (stiffness <= LargestOfLowOrder)
+            {
+                return true;
+            }
+        }
+
+        run.Follow(h);
+        return false;
+    }
+
+    /// <summary>Takes a piece of order 8, as long as its error allows.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="h">The longest piece, s.</param>
+    /// <param name="trace">The forces at its stages.</param>
+    /// <param name="run">The step of the ball.</param>
+    /// <returns>False if the forces change too fast for the evaluations that are left: the ball stays where it is.</returns>
+    public bool Follow<TSystem>(ref MotionSweep<TSystem, EighthOrder> sweep, double h, ForceTrace* trace, ref StepRun run)
+        where TSystem : struct, IMotionSystem
+    {
+        double length = run.Followed < h ? h / Math.Ceiling(h / run.Followed) : h;
+        while (true)
+        {
+            trace->Restart();
+            sweep.Step(length);
+            double error = length * trace->ErrorOfEighth();
+            double share = Allowed(length) / error;
+            if (share >= 1)
+            {
+                run.Followed = length * Math.Min(MostChange, Share * Math.Pow(share, PerOrder));
+                run.CountShort(length);
+                return true;
+            }
+
+            double shortest = run.ShortestFollowed;
+            if (length <= shortest)
+            {
+                run.CountStiff();
+                if (error <= LostError)
+                {
+                    run.Followed = length;
+                    return true;
+                }
+
+                run.Log.Evaluations += sweep.Evaluations;
+                run.Stall();
+                return false;
+            }
+
+            // A share that is NaN, from forces beyond all bounds, takes the least change.
+            double change = Share * Math.Pow(share, PerOrder);
+            length = Math.Max(shortest, length * (change > LeastChange ? Math.Min(Share, change) : LeastChange));
+        }
+    }
+
+    private static double Allowed(double h) => Math.Max(SmallError, LargestRate * h);
+}
