@@ -87,13 +87,9 @@ internal unsafe struct ContactSystem : IMotionSystem
         Vector3d u = at.Velocity - Around.Wind;
         bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
-        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        Around.Air.Evaluate(in ball, Branch, out AirFactors air, Trace);
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
-        if (Trace != null)
-        {
-            Trace->Add(in air.Acceleration, in air.SpinAcceleration);
-        }
 
         // a_air = L (ω × u) − D u; the ground's settings determine which share of it acts.
         Vector3d push = air.Acceleration;

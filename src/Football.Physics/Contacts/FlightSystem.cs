@@ -66,11 +66,7 @@ internal unsafe struct FlightSystem : IMotionSystem
         if (around.Air.Varies)
         {
             var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
-            around.Air.Evaluate(in ball, branch, out air);
-            if (Trace != null)
-            {
-                Trace->Add(in air.Acceleration, in air.SpinAcceleration);
-            }
+            around.Air.Evaluate(in ball, branch, out air, Trace);
         }
         else
         {

@@ -194,7 +194,7 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
         double rate = Around.Air.Varies
-            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air)
+            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air, Trace)
             : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
@@ -202,12 +202,8 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Own = air.Acceleration;
+        on.OwnTorque = air.SpinAcceleration;
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
-        if (Trace != null)
-        {
-            Trace->Add(in on.Own, in on.Torque);
-        }
-
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 

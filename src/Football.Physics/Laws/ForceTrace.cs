@@ -9,6 +9,9 @@ internal unsafe struct ForceTrace
 
     private const int Axes = 3;
 
+    /// <summary>The largest change of the velocity by the force of any stage, m/s: a larger one is beyond all motions that a step of this length can follow.</summary>
+    private const double MostGained = Limits.Speed;
+
     /// <summary>Weights of the error of order 5 of <see cref="Integration.HighOrder.Eighth"/> (Hairer, Nørsett and Wanner, DOP853: ER).</summary>
     private static readonly double[] s_fifth =
     [
@@ -31,20 +34,35 @@ internal unsafe struct ForceTrace
     private fixed double _forces[Most * Axes];
     private fixed double _torques[Most * Axes];
     private double _radius;
+    private double _length;
 
     /// <summary>The number of stages so far.</summary>
     public int Count;
+
+    /// <summary>True if a stage has shown that the step is far too long. The forces are not evaluated any more, because their input is not a motion of the ball.</summary>
+    public bool IsWild;
 
     /// <summary>Begins without stages; the first one is the start of the step.</summary>
     /// <param name="radius">r, m: it converts torques.</param>
     public void Begin(double radius)
     {
         _radius = radius;
+        _length = 0;
         Count = 0;
+        IsWild = false;
     }
 
-    /// <summary>Forgets all stages except the start, before the step is repeated.</summary>
-    public void Restart() => Count = 1;
+    /// <summary>Forgets all stages except the start, before a step is taken.</summary>
+    /// <param name="h">The length of the step, s.</param>
+    public void Restart(double h)
+    {
+        Count = 1;
+        _length = h;
+        IsWild = false;
+    }
+
+    /// <summary>Returns the longest step in which the force at the start does not change the velocity beyond all bounds, s.</summary>
+    public readonly double LongestStep => MostGained / Math.Max(ForceAt(0).Length, TorqueAt(0).Length);
 
     /// <summary>Adds a stage.</summary>
     public void Add(in Vector3d acceleration, in Vector3d spinAcceleration)
@@ -52,6 +70,7 @@ internal unsafe struct ForceTrace
         if (Count < Most)
         {
             Set(Count, in acceleration, in spinAcceleration);
+            IsWild |= Count > 0 && !(_length * Math.Max(ForceAt(Count).Length, TorqueAt(Count).Length) <= MostGained);
         }
 
         Count++;
@@ -91,14 +110,15 @@ internal unsafe struct ForceTrace
         return Math.Max(Combined(fifth.Length, third.Length), Combined(fifthTorque.Length, thirdTorque.Length));
     }
 
-    /// <summary>Returns h² times the squared rate at which the forces change the motion, from a step and the forces at its end.</summary>
+    /// <summary>Returns h² times the squared rate at which the forces change the motion, from the first and the last stage.</summary>
     /// <param name="h">The length of the step, s.</param>
-    /// <param name="moved">The displacement, m.</param>
-    /// <param name="gained">The change of the velocity, m/s.</param>
-    /// <param name="spun">The change of the spin, as a speed of the surface, m/s.</param>
-    /// <param name="end">The stage at the end.</param>
-    public readonly double Stiffness(double h, double moved, double gained, double spun, int end)
+    /// <param name="moved">The displacement between these stages, m.</param>
+    /// <param name="gained">The change of the velocity between them, m/s.</param>
+    /// <param name="spun">The change of the spin between them, as a speed of the surface, m/s.</param>
+    public readonly double Stiffness(double h, double moved, double gained, double spun)
     {
+        int end = Math.Min(Count, Most) - 1;
+
         // A force follows the velocity at the rate |Δf|/|Δv|, or the position at the squared rate |Δf|/|Δp|. The lower one explains the change.
         double change = (ForceAt(end) - ForceAt(0)).Length;
         double byVelocity = change == 0 ? 0 : h * change / gained;

@@ -130,16 +130,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
         Start(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
-        ForceTrace* trace = sweep.System.Trace;
-        trace->Restart();
-        sweep.Step(piece.Length);
-        if (own.IsFollowed(ref sweep, in piece.From, trace, ref run))
-        {
-            return Finish(ref s, ref run, ref sweep, set, starts, ref piece);
-        }
-
-        run.Log.Evaluations += sweep.Evaluations;
-        return null;
+        return own.TryTake(ref sweep, piece.Length, in piece.From, sweep.System.Trace, ref run) ? Finish(ref s, ref run, ref sweep, set, starts, ref piece) : null;
     }
 
     /// <summary>Takes a piece of order 8.</summary>

@@ -121,15 +121,13 @@ internal sealed class FlightPhase<TIntegrator>
     {
         ForceTrace trace;
         Start(in s, ref run, &trace, out MotionSweep<FlightSystem, TMethod> sweep);
-        sweep.Step(h);
-        if (!own.IsFollowed(ref sweep, MotionOf(in s), &trace, ref run))
+        bool follows = own.TryTake(ref sweep, h, MotionOf(in s), &trace, ref run);
+        if (follows)
         {
-            run.Log.Evaluations += sweep.Evaluations;
-            return true;
+            Finish(ref s, ref run, ref sweep);
         }
 
-        Finish(ref s, ref run, ref sweep);
-        return false;
+        return !follows;
     }
 
     /// <summary>Takes a piece of order 8.</summary>
@@ -283,7 +281,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
-        if (goes && (s.Nets != 0 || typeof(TMethod) == typeof(EighthOrder)))
+        if (goes && (s.Nets != 0 || run.Followed > 0))
         {
             double length = sweep.Length;
             _nets.EndWhereSlack(ref sweep, in s, sweep.System.NetsSlack);

@@ -9,13 +9,15 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 internal sealed unsafe class OwnForceGuard
 {
-    /// <summary>The largest error of the velocity that the forces may leave, per time, m/s².</summary>
-    /// <remarks>Above: a spring of 15/s at 60 Hz is 3 mm off after a second. Below: springs of 5/s need order 8.</remarks>
+    /// <summary>The error of the velocity that a step of the scene's integrator may leave, per time, m/s², and the one that is small however short the step, m/s.</summary>
+    /// <remarks>Above: a spring of 20/s at 60 Hz is millimetres off after a second. Below: springs of 5/s need order 8.</remarks>
     private const double LargestRate = 0.02;
-
-    /// <summary>The error of a piece that is small enough however short it is, m/s.</summary>
-    /// <remarks>Above: a ball that crosses edges of forces is millimetres off. Below: the pieces that find such an edge cost more.</remarks>
     private const double SmallError = 1e-4;
+
+    /// <summary>The same for a piece of order 8, which is as cheap with a smaller error.</summary>
+    /// <remarks>Above: a spring of 100/s at 30 Hz, or a ball that crosses edges of forces, is millimetres off. Below: pieces that find such an edge cost more.</remarks>
+    private const double LargestRateOfEighth = 0.005;
+    private const double SmallErrorOfEighth = 3e-5;
 
     /// <summary>The error of a piece of the shortest length at which the ball stays where it is, m/s.</summary>
     private const double LostError = 0.1;
@@ -27,7 +29,7 @@ internal sealed unsafe class OwnForceGuard
     private const double LongestPiece = 1.0;
 
     /// <summary>The squared product of rate and length up to which methods of low order do not overshoot.</summary>
-    private const double LargestOfLowOrder = 0.0625;
+    private const double LargestOfLowOrder = 0.01;
 
     /// <summary>The share of the largest length at which the next piece is tried, and the bounds of the change of the length.</summary>
     private const double Share = 0.8;
@@ -63,39 +65,45 @@ internal sealed unsafe class OwnForceGuard
         return longest;
     }
 
-    /// <summary>True if the scene's integrator has followed the forces in a step.</summary>
-    /// <param name="sweep">The step.</param>
+    /// <summary>Takes a piece by the scene's integrator if it follows the forces.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="h">Its length, s.</param>
     /// <param name="from">The motion at its start.</param>
-    /// <param name="trace">The forces at its stages.</param>
-    /// <param name="run">The step of the ball; if the forces were not followed, it takes pieces of order 8 from now on.</param>
-    public bool IsFollowed<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, in Motion from, ForceTrace* trace, ref StepRun run)
+    /// <param name="trace">The forces at its stages; it contains those at the start.</param>
+    /// <param name="run">The step of the ball; if the forces are not followed, it takes pieces of order 8 from now on.</param>
+    /// <returns>False if the integrator does not follow them.</returns>
+    public bool TryTake<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, double h, in Motion from, ForceTrace* trace, ref StepRun run)
         where TSystem : struct, IMotionSystem
         where TMethod : struct, IMotionMethod
     {
-        double h = sweep.Length;
-        if (default(TMethod).Order >= default(ClassicalRungeKutta).Order)
+        bool follows = h <= trace->LongestStep && Follows(ref sweep, h, in from, trace);
+        if (!follows)
         {
-            double error = h * trace->ErrorOfClassical();
-            if (error <= Allowed(h))
-            {
-                return true;
-            }
-        }
-        else
-        {
-            // A method of low order need not be accurate, but must not overshoot: its stages do not show that, so evaluate the end.
-            sweep.EndRates();
-            double gained = (sweep.Taken.End.Velocity - from.Velocity).Length;
-            double spun = _radius * (sweep.Taken.End.Spin - from.Spin).Length;
-            double stiffness = trace->Stiffness(h, (sweep.Taken.End.Position - from.Position).Length, gained, spun, trace->Count - 1);
-            if (stiffness <= LargestOfLowOrder)
-            {
-                return true;
-            }
+            run.Log.Evaluations += sweep.Evaluations;
+            run.Follow(h);
         }
 
-        run.Follow(h);
-        return false;
+        return follows;
+    }
+
+    private bool Follows<TSystem, TMethod>(ref MotionSweep<TSystem, TMethod> sweep, double h, in Motion from, ForceTrace* trace)
+        where TSystem : struct, IMotionSystem
+        where TMethod : struct, IMotionMethod
+    {
+        trace->Restart(h);
+        sweep.Step(h);
+        if (default(TMethod).Order >= default(ClassicalRungeKutta).Order)
+        {
+            return !trace->IsWild && h * trace->ErrorOfClassical() <= Math.Max(SmallError, LargestRate * h);
+        }
+
+        // A method of low order need not be accurate, but must not overshoot: its stages do not show that, so evaluate the end. The position of the end lags behind its
+        // velocity by a step.
+        ref readonly Motion end = ref sweep.Taken.End;
+        Vector3d moved = h * end.Velocity;
+        sweep.Evaluate(new Motion(from.Position + moved, end.Velocity, end.Spin, end.AirDistance));
+        double spun = _radius * (end.Spin - from.Spin).Length;
+        return !trace->IsWild && trace->Stiffness(h, moved.Length, (end.Velocity - from.Velocity).Length, spun) <= LargestOfLowOrder;
     }
 
     /// <summary>Takes a piece of order 8, as long as its error allows.</summary>
@@ -107,13 +115,14 @@ internal sealed unsafe class OwnForceGuard
     public bool Follow<TSystem>(ref MotionSweep<TSystem, EighthOrder> sweep, double h, ForceTrace* trace, ref StepRun run)
         where TSystem : struct, IMotionSystem
     {
-        double length = run.Followed < h ? h / Math.Ceiling(h / run.Followed) : h;
+        double length = Math.Min(h, Math.Min(run.Followed, trace->LongestStep));
+        length = length < h ? h / Math.Ceiling(h / length) : h;
         while (true)
         {
-            trace->Restart();
+            trace->Restart(length);
             sweep.Step(length);
-            double error = length * trace->ErrorOfEighth();
-            double share = Allowed(length) / error;
+            double error = trace->IsWild ? double.PositiveInfinity : length * trace->ErrorOfEighth();
+            double share = Math.Max(SmallErrorOfEighth, LargestRateOfEighth * length) / error;
             if (share >= 1)
             {
                 run.Followed = length * Math.Min(MostChange, Share * Math.Pow(share, PerOrder));
@@ -141,6 +150,4 @@ internal sealed unsafe class OwnForceGuard
             length = Math.Max(shortest, length * (change > LeastChange ? Math.Min(Share, change) : LeastChange));
         }
     }
-
-    private static double Allowed(double h) => Math.Max(SmallError, LargestRate * h);
 }

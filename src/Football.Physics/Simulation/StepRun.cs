@@ -199,7 +199,13 @@ internal ref struct StepRun
             Spirals = false;
         }
 
-        return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation && !_stalls;
+        bool goesOn = Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation && !_stalls;
+        if (!goesOn && Followed > 0)
+        {
+            CountStiff();
+        }
+
+        return goesOn;
     }
 
     /// <summary>The shortest piece that follows custom forces, s: with it, the rest of the step stays within the budget.</summary>

@@ -127,15 +127,13 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         ForceTrace trace;
         Begin(in s, in piece, &trace, out MotionSweep<SurfaceSystem, TMethod> sweep);
-        sweep.Step(piece.Length);
-        if (!own.IsFollowed(ref sweep, in piece.From, &trace, ref run))
+        bool follows = own.TryTake(ref sweep, piece.Length, in piece.From, &trace, ref run);
+        if (follows)
         {
-            run.Log.Evaluations += sweep.Evaluations;
-            return true;
+            Finish(ref s, ref run, ref sweep, ref piece);
         }
 
-        Finish(ref s, ref run, ref sweep, ref piece);
-        return false;
+        return !follows;
     }
 
     /// <summary>Takes a piece of order 8.</summary>
@@ -154,7 +152,7 @@ internal sealed class SurfacePhase<TIntegrator>
         where TMethod : struct, IMotionMethod
     {
         trace->Begin(_around.Radius);
-        trace->Add(in piece.On.Own, in piece.On.Torque);
+        trace->Add(in piece.On.Own, in piece.On.OwnTorque);
         SurfaceSystem system = piece.System;
         system.Trace = trace;
         sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in piece.From, in piece.Start, _around.Wind, _around.Radius);
@@ -356,7 +354,7 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
-        if (s.Nets != 0 || typeof(TMethod) == typeof(EighthOrder))
+        if (s.Nets != 0 || run.Followed > 0)
         {
             _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         }

@@ -181,6 +181,13 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public Vector3d EndAcceleration() => EndRates().Acceleration;
 
+    /// <summary>Evaluates the forces at a motion at the end time, for <see cref="IMotionSystem.Trace"/>.</summary>
+    public void Evaluate(in Motion at)
+    {
+        System.Rates(_time + Length, in at, out _);
+        Evaluations++;
+    }
+
     /// <summary>Returns the rates at the end; one evaluation.</summary>
     public MotionRates EndRates()
     {
