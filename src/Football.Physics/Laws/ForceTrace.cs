@@ -39,6 +39,10 @@ internal unsafe struct ForceTrace
     /// <summary>The number of stages so far.</summary>
     public int Count;
 
+    /// <summary>The velocity and the spin of the last stage, m/s and rad/s.</summary>
+    public Vector3d LastVelocity;
+    public Vector3d LastSpin;
+
     /// <summary>True if a stage has shown that the step is far too long. The forces are not evaluated any more, because their input is not a motion of the ball.</summary>
     public bool IsWild;
 
@@ -85,7 +89,8 @@ internal unsafe struct ForceTrace
     /// <summary>Returns a bound on the error of a step by RK4, per time, in m/s².</summary>
     /// <remarks>
     /// With f at the four stages, f₂ − f₃ and f₁ − f₂ − f₃ + f₄ are of second order: z² |f|/4 for a spring or a damping of the rate z/h. Divided by |f|/4, they
-    /// give z², and their product is the order of the method. Where the force has an edge, the second factor is 1.
+    /// give z², and their product is the order of the method. A constant part of the force would hide the rest, so the change of the force counts as much as its
+    /// size. Where the force has an edge, the second factor is 1.
     /// </remarks>
     public readonly double ErrorOfClassical() => Math.Max(
         ErrorOfClassical(ForceAt(0), ForceAt(1), ForceAt(2), ForceAt(3)), ErrorOfClassical(TorqueAt(0), TorqueAt(1), TorqueAt(2), TorqueAt(3)));
@@ -131,8 +136,9 @@ internal unsafe struct ForceTrace
     private static double ErrorOfClassical(in Vector3d first, in Vector3d second, in Vector3d third, in Vector3d fourth)
     {
         double largest = Math.Max(Math.Max(first.Length, second.Length), Math.Max(third.Length, fourth.Length));
+        double range = Math.Max((second - first).Length, Math.Max((third - first).Length, (fourth - first).Length));
         double change = Math.Max((second - third).Length, (first - second - third + fourth).Length);
-        return change == 0 ? 0 : change / 6.0 * Math.Min(1.0, 4.0 * change / largest);
+        return change == 0 ? 0 : change / 6.0 * Math.Min(1.0, 4.0 * change / Math.Sqrt(largest * range));
     }
 
     private static double Combined(double fifth, double third)

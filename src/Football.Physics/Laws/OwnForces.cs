@@ -47,6 +47,8 @@ internal sealed unsafe class OwnForces
         if (trace != null)
         {
             trace->Add(in acceleration, in spinAcceleration);
+            trace->LastVelocity = ball.Velocity;
+            trace->LastSpin = ball.Spin;
         }
     }
 

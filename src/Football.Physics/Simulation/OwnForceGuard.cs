@@ -31,6 +31,12 @@ internal sealed unsafe class OwnForceGuard
     /// <summary>The squared product of rate and length up to which methods of low order do not overshoot.</summary>
     private const double LargestOfLowOrder = 0.01;
 
+    /// <summary>The part of the difference between the last stage and the end that counts as error.</summary>
+    /// <remarks>
+    /// Both are the motion at the end, the stage to sixth order. Above: springs need more pieces. Below: an edge of a force may cancel out of the error of order 8.
+    /// </remarks>
+    private const double ShareOfLast = 0.01;
+
     /// <summary>The share of the largest length at which the next piece is tried, and the bounds of the change of the length.</summary>
     private const double Share = 0.8;
     private const double LeastChange = 0.1;
@@ -121,7 +127,7 @@ internal sealed unsafe class OwnForceGuard
         {
             trace->Restart(length);
             sweep.Step(length);
-            double error = trace->IsWild ? double.PositiveInfinity : length * trace->ErrorOfEighth();
+            double error = trace->IsWild ? double.PositiveInfinity : ErrorOf(in sweep.Taken.End, length, trace);
             double share = Math.Max(SmallErrorOfEighth, LargestRateOfEighth * length) / error;
             if (share >= 1)
             {
@@ -150,4 +156,7 @@ internal sealed unsafe class OwnForceGuard
             length = Math.Max(shortest, length * (change > LeastChange ? Math.Min(Share, change) : LeastChange));
         }
     }
+
+    private double ErrorOf(in Motion end, double h, ForceTrace* trace) => Math.Max(
+        h * trace->ErrorOfEighth(), ShareOfLast * Math.Max((end.Velocity - trace->LastVelocity).Length, _radius * (end.Spin - trace->LastSpin).Length));
 }
