@@ -181,9 +181,12 @@ internal sealed partial class BallPile
             ref BallState s = ref states[member.Ball];
             if (!(member.FreeUntil > Time))
             {
-                member.Free = _simulators[member.Ball].Pile.Free(in s, h, atRest: false);
-                member.FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
-                logs[member.Ball].Evaluations++;
+                PilePhase pile = _simulators[member.Ball].Pile;
+                member.Free = pile.Free(in s, h, atRest: false);
+
+                // The forces of the air hardly change within the longest part; custom forces may.
+                member.FreeUntil = pile.HasOwnForces ? Time : Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
+                logs[member.Ball].Evaluations += pile.HasOwnForces ? 2 : 1;
             }
 
             pull = Math.Max(pull, h * (member.Free.Acceleration.Length + (member.Radius * member.Free.SpinAcceleration.Length)));

@@ -29,6 +29,9 @@ internal sealed class PilePhase
         _nets = new NetGuard(_world);
     }
 
+    /// <summary>True if custom forces act. <see cref="Free"/> then evaluates them twice for a ball that moves.</summary>
+    public bool HasOwnForces => _around.Air.HasOwnForces;
+
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">Length of the part, s.</param>
@@ -43,8 +46,19 @@ internal sealed class PilePhase
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.BranchAt(in at);
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
-        var ball = new ForceContext(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
+        MotionState motion = carried ? MotionState.Sliding : MotionState.Airborne;
+        bool followsOwn = HasOwnForces && !atRest;
+
+        // In the middle of its path, a custom force that depends on the position gives the ball no energy.
+        Vector3d place = followsOwn ? s.Position + (0.5 * h * v) : s.Position;
+        double time = followsOwn ? s.Time + (0.5 * h) : s.Time;
+        var ball = new ForceContext(time, in place, in v, in u, in w, motion, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
+        if (followsOwn)
+        {
+            LimitOwn(in ball, branch, h, ref air);
+        }
+
         u = air.AirVelocity;
 
         // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on a single surface.
@@ -60,6 +74,20 @@ internal sealed class PilePhase
         Vector3d spinAcceleration = (-air.Decay * w) + air.SpinAcceleration;
         acceleration += _around.Weight;
         return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed), h);
+    }
+
+    /// <summary>Reduces custom forces that would turn the velocity or the spin back within a part: a damping then ends the motion at most.</summary>
+    private void LimitOwn(in ForceContext ball, DragBranch branch, double h, ref AirFactors air)
+    {
+        Vector3d v = ball.Velocity + (h * air.Acceleration);
+        Vector3d w = ball.Spin + (h * air.SpinAcceleration);
+        Vector3d u = v - _around.Wind;
+        var ahead = new ForceContext(ball.Time, ball.Position, in v, in u, in w, ball.Motion, ball.AirDistance);
+        _around.Air.Evaluate(in ahead, branch, out AirFactors after);
+        double change = (after.Acceleration - air.Acceleration).Length;
+        double turn = (after.SpinAcceleration - air.SpinAcceleration).Length;
+        air.Acceleration *= change > air.Acceleration.Length ? air.Acceleration.Length / change : 1.0;
+        air.SpinAcceleration *= turn > air.SpinAcceleration.Length ? air.SpinAcceleration.Length / turn : 1.0;
     }
 
     /// <summary>Moves the ball in a straight line, through the nets and goals on its path.</summary>
