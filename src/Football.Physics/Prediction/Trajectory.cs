@@ -144,6 +144,18 @@ public sealed partial class Trajectory
         return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
 
+    /// <summary>Returns the position of the ball at a time, if the path contains that time.</summary>
+    /// <remarks>Use it to tell the end of a path from a position: <see cref="PositionAt"/> returns the last position for all later times.</remarks>
+    /// <param name="time">The time since the launch, in s.</param>
+    /// <param name="position">The position, in m. Before the start, it is the first position; after the end, the last one.</param>
+    /// <returns>True from <see cref="StartTime"/> to <see cref="EndTime"/>; false before and after.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is NaN.</exception>
+    public bool TryPositionAt(double time, out Vector3d position)
+    {
+        position = PositionAt(time);
+        return time >= StartTime && time <= EndTime;
+    }
+
     /// <summary>Returns the velocity of the ball at a time, in m/s; after the end, the final velocity.</summary>
     /// <param name="time">The time since the launch, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is NaN.</exception>
