@@ -198,7 +198,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         if (collider.StandingPlane is { } plane)
         {
             var flat = new PlaneGap(in _path, plane.Normal, plane.DistanceTo(in _path.Start) - r);
-            return TimeOfImpact.First(ref flat, in span);
+            return FirstBesideSeams(ref flat, thing, carrier, held, in span, out seam);
         }
 
         if (collider.Rotates)
@@ -231,7 +231,15 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             return double.PositiveInfinity;
         }
 
-        var gap = new ShapeGap(collider, in path, _bend, r, in span);
+        var gap = new ShapeGap(collider, in path, _bend, r, in span) { IsFlush = collider.HollowCurvature > 0 && _world.IsCollider(carrier) && Flush.AreFlush(_world, carrier, thing, in _path.Start, _time) };
+        return FirstBesideSeams(ref gap, thing, carrier, held, in span, out seam);
+    }
+
+    /// <summary>Returns the time of the first closing contact that is not a flush seam, or of a seam at which the collider becomes the carrier.</summary>
+    private double FirstBesideSeams<TGap>(ref TGap gap, int thing, int carrier, Span<Contact> held, in SearchSpan span, out bool seam)
+        where TGap : struct, ICrossedGap
+    {
+        seam = false;
         double t = TimeOfImpact.First(ref gap, in span);
         while (t <= span.Until)
         {
@@ -244,7 +252,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
 
             t += Math.Max(passage, span.Shortest);
             gap.Crosses = true;
-            seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
+            seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _path.VelocityAt(t), _time + t) == thing;
             if (seam)
             {
                 return t;

@@ -49,6 +49,11 @@ internal static class ContactTolerances
     /// step.</remarks>
     public const double Overlap = 5e-10;
 
+    /// <summary>The height by which a hollow surface may rise from the carrier with which it is flush until it becomes the carrier, m.</summary>
+    /// <remarks>Above: its normal differs by more than <see cref="SameNormal"/>, and the seam is an impact. Below: a search along two flush surfaces takes
+    /// more evaluations.</remarks>
+    public const double FlushRise = 1e-9;
+
     /// <summary>The maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
     /// <remarks>Above: a curved seam is left unnoticed. Below: a ball that crosses a seam is checked many times.</remarks>
     public const double PartedSurfaces = 1e-8;

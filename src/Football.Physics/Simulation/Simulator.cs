@@ -57,6 +57,19 @@ public sealed class Simulator
     /// <summary>The integrator and solver settings.</summary>
     public SolverSettings Settings { get; }
 
+    /// <summary>The values of the scene that the simulator has replaced, a sentence for each; empty if there are none.</summary>
+    /// <remarks>
+    /// A shape of your own whose <see cref="IShape.MaximumConcaveCurvature"/> is too small gets the value that samples of its normals show. Each sentence names
+    /// the field, your value and the value used.
+    /// </remarks>
+    public IReadOnlyList<string> Warnings =>
+    [
+        .. Scene.Obstacles.Select((obstacle, i) => HollowSamples.Warning(Check.Item("obstacles", i), obstacle.Shape, Scene.Ball.Radius))
+            .Concat((Scene.Bodies ?? Enumerable.Empty<KinematicBody>()).Select((body, i) => HollowSamples.Warning(Check.Item("bodies", i), body.Shape, Scene.Ball.Radius)))
+            .Concat(Scene.Zones.Select((zone, i) => HollowSamples.Warning(Check.Item("zones", i), zone.Shape, zone.LevelOf(Scene.Ball.Radius))))
+            .OfType<string>(),
+    ];
+
     /// <summary>The height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
@@ -124,6 +137,12 @@ public sealed class Simulator
     /// <param name="thing"><see cref="BallEvent.ColliderIndex"/> of an event; negative for none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The scene has no such index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
+
+    /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>
+    /// <param name="happened">An event of a ball in this scene.</param>
+    /// <returns>The name; null if the event has no object of the scene, as when the ball comes to rest or hits another ball.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The event is from another scene: this scene has no such object.</exception>
+    public string? NameOf(in BallEvent happened) => NameOf(happened.ColliderIndex);
 
     /// <summary>Throws if no ball in this scene can have this state.</summary>
     /// <remarks>Use it on states read from a file or passed through the C API. A call takes a few nanoseconds.</remarks>
