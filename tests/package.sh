@@ -22,7 +22,7 @@ golden=$root/tests/Golden/golden.txt
 
 fail() {
   echo "FAIL  $1" >&2
-  [[ -s $log ]] && { grep -E "error|FAIL" "$log" | sort -u | head -n 10; tail -n 20 "$log"; } >&2
+  [[ -s $log ]] && { grep -E "error|FAIL" "$log" | sort -u | head -n 10 || :; tail -n 20 "$log"; } >&2
   exit 1
 }
 

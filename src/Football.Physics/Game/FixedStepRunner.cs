@@ -258,7 +258,6 @@ public sealed partial class FixedStepRunner
         return _states[ball];
     }
 
-
     /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps taken.</returns>

@@ -197,7 +197,7 @@ public struct BallState : IFormattable
     {
         if (!state.IsLaunched)
         {
-            throw new ArgumentException("The state is uninitialised. Create it with Simulator.Launch or copy it from a Ball.", nameof(state));
+            throw new ArgumentException("The state was never launched. Create it with Simulator.Launch or copy it from a Ball.", nameof(state));
         }
     }
 }

@@ -81,6 +81,6 @@ public sealed class NeverLaunchedTests
     private static void Refused(Action<BallState> use)
     {
         ArgumentException refusal = Assert.Throws<ArgumentException>(() => use(default));
-        Assert.StartsWith("The state is uninitialised. Create it with Simulator.Launch or copy it from a Ball.", refusal.Message, StringComparison.Ordinal);
+        Assert.StartsWith("The state was never launched. Create it with Simulator.Launch or copy it from a Ball.", refusal.Message, StringComparison.Ordinal);
     }
 }

@@ -34,7 +34,7 @@ public sealed class PlaceTests
     {
         var ball = new Ball();
         BallState before = ball.State;
-        Assert.Contains("The state is uninitialised. Create it with Simulator.Launch", Assert.Throws<ArgumentException>(() => ball.State = default).Message, StringComparison.Ordinal);
+        Assert.Contains("The state was never launched. Create it with Simulator.Launch", Assert.Throws<ArgumentException>(() => ball.State = default).Message, StringComparison.Ordinal);
         Assert.True(Snapshot.Same(before, ball.State));
         var runner = new FixedStepRunner();
         Assert.Throws<ArgumentException>(() => runner.Restore(5, default));
