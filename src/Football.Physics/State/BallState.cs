@@ -192,12 +192,15 @@ public struct BallState : IFormattable
     /// <remarks>A comparison of bits costs one instruction; nearly every launched ball has a W other than 0.</remarks>
     internal readonly bool IsLaunched => BitConverter.DoubleToInt64Bits(BaseOrientation.W) != 0 || BaseOrientation.X != 0 || BaseOrientation.Y != 0 || BaseOrientation.Z != 0;
 
+    /// <summary>Returns the exception for a state that was never launched.</summary>
+    internal static ArgumentException NeverLaunched() => new("The state was never launched. Create it with Simulator.Launch or copy it from a Ball.", "state");
+
     /// <summary>Throws if a state was never launched.</summary>
     internal static void Launched(in BallState state)
     {
         if (!state.IsLaunched)
         {
-            throw new ArgumentException("The state was never launched. Create it with Simulator.Launch or copy it from a Ball.", nameof(state));
+            throw NeverLaunched();
         }
     }
 }

@@ -61,7 +61,7 @@ public sealed partial class BallGroup
             {
                 // The path of a pile is computed later, so estimate its reach here.
                 _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
-                _cluster.Shares.Begin(i, in before, 0, dt);
+                _cluster.Shares.Begin(i, in before, 0);
                 holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
                 continue;
             }
@@ -70,7 +70,7 @@ public sealed partial class BallGroup
             {
                 s.Time += dt;
                 _reaches[i] = 0;
-                _cluster.Shares.Begin(i, in before, 0, dt);
+                _cluster.Shares.Begin(i, in before, 0);
                 continue;
             }
 
@@ -87,7 +87,7 @@ public sealed partial class BallGroup
             _pushes[i] = log.Pushed;
             if (_simulators[i].World.MayGiveWay)
             {
-                _cluster.Shares.Begin(i, in s, Fastest(first), dt);
+                _cluster.Shares.Begin(i, in s, Fastest(first));
             }
 
             pushes |= log.Pushed;

@@ -11,8 +11,8 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     private const double MoreReach = 1.1;
 
     private readonly double[] _reaches = new double[before.Length];
-    private readonly double[] _speeds = new double[before.Length];
-    private readonly double[] _spins = new double[before.Length];
+    private readonly Sweep[] _sweeps = new Sweep[before.Length];
+    private readonly double[] _searches = new double[before.Length];
     private readonly bool[] _shares = new bool[before.Length];
 
     /// <summary>True if a ball shares an object with another ball.</summary>
@@ -26,13 +26,18 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     /// <param name="ball">The ball.</param>
     /// <param name="after">The ball after its own step.</param>
     /// <param name="fastest">Its greatest speed at the events of the step, m/s.</param>
-    /// <param name="dt">Length of the step, s.</param>
-    public void Begin(int ball, in BallState after, double fastest, double dt)
+    public void Begin(int ball, in BallState after, double fastest)
     {
-        double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), Math.Max(fastest, after.SqueezeSpeed));
-        _speeds[ball] = MoreReach * (speed + (BallNeighbours.Fall * dt));
-        _spins[ball] = MoreReach * Math.Max(before[ball].Spin.Length, after.Spin.Length);
-        _reaches[ball] = (MoreReach * (after.Position - before[ball].Position).Length) + (dt * _speeds[ball]);
+        // Only a step with a push needs the roots.
+        ref readonly BallState from = ref before[ball];
+        double most = Math.Max(fastest, after.SqueezeSpeed);
+        _sweeps[ball] = new Sweep
+        {
+            Speed = Math.Max(Math.Max(from.Velocity.LengthSquared, after.Velocity.LengthSquared), most * most),
+            Spin = Math.Max(SpinOf(in from), SpinOf(in after)),
+            Way = (after.Position - from.Position).LengthSquared,
+        };
+        _reaches[ball] = 0;
     }
 
     /// <summary>Raises the bound of a ball's displacement, m.</summary>
@@ -51,14 +56,21 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     public bool Find(MotionsBefore motions, double dt)
     {
         bool found = false;
+        for (int i = 0; i < before.Length; i++)
+        {
+            ref readonly Sweep sweep = ref _sweeps[i];
+            double speed = MoreReach * (Math.Sqrt(sweep.Speed) + (BallNeighbours.Fall * dt));
+            double reach = Math.Max(_reaches[i], (MoreReach * Math.Sqrt(sweep.Way)) + (dt * speed));
+            _searches[i] = reach + simulators[i].SearchMargin(speed, MoreReach * Math.Sqrt(sweep.Spin), dt);
+        }
+
         pushed.BeginPushes(motions, before[0].Time, dt);
         while (pushed.NextPush(before[0].Time, dt, out Bounds3d box))
         {
             int first = -1;
             for (int i = 0; i < before.Length; i++)
             {
-                double reach = _reaches[i] + simulators[i].SearchMargin(_speeds[i], _spins[i], dt);
-                if (!box.Expanded(reach).Intersects(new Bounds3d(before[i].Position, before[i].Position)))
+                if (!box.Expanded(_searches[i]).Intersects(new Bounds3d(before[i].Position, before[i].Position)))
                 {
                     continue;
                 }
@@ -76,5 +88,15 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
         }
 
         return found;
+    }
+
+    private static double SpinOf(in BallState s) => s.Flight.Axis.LengthSquared * s.Flight.SpinRate * s.Flight.SpinRate;
+
+    /// <summary>The squares of a ball's greatest speed and spin, and of its displacement in the step.</summary>
+    private struct Sweep
+    {
+        public double Speed;
+        public double Spin;
+        public double Way;
     }
 }
