@@ -191,7 +191,7 @@ class Refusals(unittest.TestCase):
             ("the mask has shape", lambda: balls.kick(np.array([True]), [0, 0, 0])),
             ("of the balls that are named", lambda: balls.kick([2], [0, 0, 0])),
             ("state has 3 bytes", lambda: setattr(balls, "state", b"abc")),
-            (r"states\[0\] was never launched\. Launch the ball first\.", lambda: setattr(balls, "state", bytes(len(before)))),
+            (r"states\[0\] was never launched. Launch the ball first.", lambda: setattr(balls, "state", bytes(len(before)))),
             ("n is -1", lambda: fp.Balls(fp.Scene(), -1)),
             ("stop is 'never'", lambda: balls.derivatives(1, stop="never")),
             ("every is 0", lambda: balls.look_ahead(1, 0)),
