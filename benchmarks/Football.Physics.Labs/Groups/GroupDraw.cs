@@ -147,7 +147,8 @@ internal sealed class GroupDraw
 
         Obstacle Board(double x, double z) => new()
         {
-            Shape = new PlaneShape(Wall * new Vector3d(x, 0, z), new Vector3d(-x, 0, -z)), Surface = SurfaceMaterial.Board,
+            Shape = new PlaneShape(Wall * new Vector3d(x, 0, z), new Vector3d(-x, 0, -z)),
+            Surface = SurfaceMaterial.Board,
         };
     }
 
