@@ -8,6 +8,7 @@ using FootballPhysics.Labs.Groups;
 using FootballPhysics.Labs.Intercept;
 using FootballPhysics.Labs.Matches;
 using FootballPhysics.Labs.Motions;
+using FootballPhysics.Labs.Nets;
 using FootballPhysics.Labs.Obstacles;
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Peers;
@@ -181,7 +182,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

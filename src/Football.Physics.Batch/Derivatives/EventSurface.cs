@@ -11,7 +11,7 @@ internal sealed class EventSurface(Surroundings around)
     /// <summary>Returns the surface of a contact with an object: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
     {
-        Collider hit = _around.World.Colliders[_around.World.ColliderOf(thing, s.Position, s.Time)];
+        Collider hit = _around.World.ByIndex[_around.World.Struck(thing, in s)];
         Vector3d normal = hit.At(s.Position, s.Time).Normal;
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }

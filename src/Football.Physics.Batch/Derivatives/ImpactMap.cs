@@ -78,7 +78,7 @@ internal sealed class ImpactMap(Surroundings around)
     private int Hit(ref BallState s, int thing)
     {
         var run = new StepRun(1, s.Time, _log);
-        _contact.Impact(ref s, (int)_world.ColliderOf(thing, s.Position, s.Time), ref run);
+        _contact.Impact(ref s, _world.Struck(thing, in s), ref run);
         int impacts = (int)_log.Events.Impacts;
         _log.Clear();
         return impacts;

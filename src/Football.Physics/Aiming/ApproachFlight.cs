@@ -316,7 +316,7 @@ internal sealed class MeasuredFlight(Simulator simulator) : ApproachFlight(simul
 
         World world = Simulator.World;
         double gap = HasMetAll ? (state.Position - Target).Length - Miss
-            : world.Colliders[_things[_met] - world.FirstCollider].At(state.Position, state.Time).Distance - world.Ball.Radius;
+            : world.ByIndex[_things[_met] - world.FirstCollider].At(state.Position, state.Time).Distance - world.Ball.Radius;
         return gap > 2.0 * speed * (Last - state.Time);
     }
 }

@@ -23,7 +23,7 @@ internal sealed class BroadPhase
         var lanes = new List<MovingLane>();
         for (int i = 0; i < world.Colliders.Length; i++)
         {
-            Collider collider = world.Colliders[i];
+            Collider collider = world.ByIndex[i];
             if (world.Ignores(collider))
             {
                 continue;
@@ -88,7 +88,7 @@ internal sealed class BroadPhase
         double reach = (half * way.Velocity.Length) + way.Around;
         for (int i = 0; i < Unbounded.Length; i++)
         {
-            Collider collider = _world.Colliders[Unbounded[i]];
+            Collider collider = _world.ByIndex[Unbounded[i]];
             if (!collider.IsLevelGround && !(collider.At(in middle).Distance > reach))
             {
                 // If this distance is too small, use the distance from the start: the ball must cover it before it can reach the shape.
@@ -105,7 +105,7 @@ internal sealed class BroadPhase
         KnowObstacles();
         for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
         {
-            Collider collider = _world.Colliders[Moving[i]];
+            Collider collider = _world.ByIndex[Moving[i]];
             free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
         }
 
@@ -124,7 +124,7 @@ internal sealed class BroadPhase
         for (int i = 0; i < _lanes.Length; i++)
         {
             // A box at time 0, relative to the world's origin.
-            Collider collider = _world.Colliders[Moving[i]];
+            Collider collider = _world.ByIndex[Moving[i]];
             _lanes[i].Move(Vector3d.Zero, collider.Velocity, 0);
             _lanes[i].Bound(collider.BoundsAt(0));
         }
@@ -154,7 +154,7 @@ internal sealed class BroadPhase
     }
 
     private Bounds3d BoundsOf(int thing) =>
-        thing < _world.FirstPassage ? _world.Colliders[thing].Bounds
+        thing < _world.FirstPassage ? _world.ByIndex[thing].Bounds
         : thing < _world.FirstPassage + _world.Nets.Length ? _world.Nets[thing - _world.FirstPassage].Bounds
         : _world.Goals[thing - _world.FirstPassage - _world.Nets.Length].Bounds;
 }

@@ -93,6 +93,10 @@ internal sealed class Collider
     /// found.</summary>
     public int Layer { get; init; } = -1;
 
+    /// <summary>True if it is the end of a net, which acts only on a ball in that net, on one side.</summary>
+    /// <remarks>The net's force pulls the ball off it, so this force counts in the load.</remarks>
+    public bool IsNetEnd { get; init; }
+
     /// <summary>The engine collider in this slot; null if there is none.</summary>
     public EngineCollider? Engine { get; private set; }
 

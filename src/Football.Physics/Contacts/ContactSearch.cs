@@ -94,7 +94,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
         deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, NetSheet.SideOf(s.NetSides, deepest)) + (_path.Length * _path.FastestSpeed);
-        return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length, withPassages: true);
+        return new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length, s.Nets, s.NetSides, withPassages: true);
     }
 
     /// <summary>True if the first of two simultaneous contacts has priority.</summary>
@@ -106,7 +106,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         }
 
         Vector3d position = _path.At(at);
-        return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
+        return _world.ComesFirst(first, _world.ByIndex[first].At(in position, _time + at).Normal, second, _world.ByIndex[second].At(in position, _time + at).Normal);
     }
 
     /// <summary>Finds the first passage. Of simultaneous ones, it takes the first net or goal in scene order, but contacts come before them.</summary>
@@ -192,7 +192,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     private double FirstContact(int thing, int carrier, Span<Contact> held, double until, out bool seam)
     {
         seam = false;
-        Collider collider = _world.Colliders[thing];
+        Collider collider = _world.ByIndex[thing];
         double r = _world.Ball.Radius;
         var span = new SearchSpan(_path.Length, until);
         if (collider.StandingPlane is { } plane)
@@ -214,7 +214,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     private double FirstOnShape(int thing, int carrier, Span<Contact> held, in SearchSpan span, out bool seam)
     {
         seam = false;
-        Collider collider = _world.Colliders[thing];
+        Collider collider = _world.ByIndex[thing];
         double r = _world.Ball.Radius;
 
         // Transform the path to the frame of a moving collider, in which the collider is stationary.

@@ -69,10 +69,10 @@ internal static class ContactSet
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
 
         // Broad phase by bounding boxes, then the exact distance.
-        var near = NearThings.At(world, s.Position, s.Time, reach);
+        var near = NearThings.At(world, in s, reach);
         while (near.Next(out int i))
         {
-            Collider collider = world.Colliders[i];
+            Collider collider = world.ByIndex[i];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - world.Ball.Radius;
             if (gap > reach)
@@ -255,8 +255,8 @@ internal static class ContactSet
 
         for (int round = 0; second >= 0 && round < MostNewton; round++)
         {
-            ShapePoint one = world.Colliders[set[first].Collider].At(s.Position, s.Time);
-            ShapePoint two = world.Colliders[set[second].Collider].At(s.Position, s.Time);
+            ShapePoint one = world.ByIndex[set[first].Collider].At(s.Position, s.Time);
+            ShapePoint two = world.ByIndex[set[second].Collider].At(s.Position, s.Time);
             double gap = one.Distance - world.Ball.Radius;
             double other = two.Distance - world.Ball.Radius;
             double cosine = Vector3d.Dot(one.Normal, two.Normal);
@@ -299,11 +299,11 @@ internal static class ContactSet
             inside = false;
             foreach (ref readonly Contact contact in set)
             {
-                ShapePoint at = world.Colliders[contact.Collider].At(s.Position, s.Time);
+                ShapePoint at = world.ByIndex[contact.Collider].At(s.Position, s.Time);
                 double gap = at.Distance - world.Ball.Radius;
                 if (!contact.Moves && gap < -ContactTolerances.ClosedGap)
                 {
-                    s.Position = world.Colliders[contact.Collider].SnapUp(s.Position - (gap * at.Normal));
+                    s.Position = world.ByIndex[contact.Collider].SnapUp(s.Position - (gap * at.Normal));
                     inside = true;
                 }
             }
@@ -314,7 +314,7 @@ internal static class ContactSet
 
     private static bool Put(World world, ref BallState s, in Contact contact, bool closes)
     {
-        Collider collider = world.Colliders[contact.Collider];
+        Collider collider = world.ByIndex[contact.Collider];
         ShapePoint at = collider.At(s.Position, s.Time);
         if (contact.IsFlat && collider.HasFaces && !at.IsFlat)
         {

@@ -114,9 +114,29 @@ internal unsafe struct ContactSystem : IMotionSystem
         if (Nets != 0)
         {
             MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-            acceleration += Bearer < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[Bearer].Normal);
+            int carrier = HeaviestOnNets();
+            acceleration += carrier < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[carrier].Normal);
             spinAcceleration += nets.SpinAcceleration;
         }
+    }
+
+    /// <summary>Returns the contact whose load the nets do not change; −1 if the net's force counts in full.</summary>
+    /// <remarks>The end of a net is no such contact: the net pulls the ball off it. Next to an end, it is the surface with the greatest load.</remarks>
+    private readonly int HeaviestOnNets()
+    {
+        if (Bearer < 0 || !World.ByIndex[Contacts[Bearer].Collider].IsNetEnd)
+        {
+            return Bearer;
+        }
+
+        int heaviest = -1;
+        for (int i = 0; i < Count; i++)
+        {
+            bool carries = Contacts[i].Bears && !World.ByIndex[Contacts[i].Collider].IsNetEnd;
+            heaviest = carries && (heaviest < 0 || Contacts[i].Load > Contacts[heaviest].Load) ? i : heaviest;
+        }
+
+        return heaviest;
     }
 
     /// <summary>Returns the forces on a ball at rest, per mass. In the published profile they exclude the air.</summary>

@@ -43,7 +43,7 @@ internal sealed class EngineThings
     /// <param name="world">The world, whose array of colliders grows with the table.</param>
     /// <param name="engine">The engine.</param>
     /// <param name="first">Index of the first slot among the world's colliders.</param>
-    /// <param name="passages">Number of nets and goals, whose indices follow those of the initial slots.</param>
+    /// <param name="passages">Number of nets, goals, zones and ends of nets, whose indices follow those of the initial slots.</param>
     public EngineThings(World world, IEngineColliders engine, int first, int passages)
     {
         _world = world;
@@ -72,7 +72,7 @@ internal sealed class EngineThings
     public int Found(int index) => _found[index];
 
     /// <summary>True if a collider of the world is an engine collider.</summary>
-    public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider);
+    public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider) && !_world.IsNetEnd(collider);
 
     /// <summary>True if the last cast found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
@@ -123,7 +123,7 @@ internal sealed class EngineThings
 
     /// <summary>Returns the number of an engine collider; −1 for another collider.</summary>
     public int NumberOf(long collider) =>
-        collider >= _first && collider < _world.Colliders.Length && Has((int)collider) ? _world.Colliders[(int)collider].Engine?.Number ?? EngineCollider.FirstNumber : -1;
+        collider >= _first && collider < _world.ByIndex.Length && Has((int)collider) ? _world.ByIndex[(int)collider].Engine?.Number ?? EngineCollider.FirstNumber : -1;
 
     /// <summary>Returns the collider with a given number that is nearest to a ball; null if there is none.</summary>
     /// <remarks>It searches the last step, then the last known collider with this number.</remarks>
@@ -138,7 +138,7 @@ internal sealed class EngineThings
         return Nearest(number, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
     }
 
-    /// <summary>Converts a slot to a world index: nets and goals come between the initial slots and those added later.</summary>
+    /// <summary>Converts a slot to a world index: nets, goals, zones and ends of nets come between the initial slots and those added later.</summary>
     private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);
 
     /// <summary>Returns the slot of the collider that has a given number and whose surface is nearest to a ball.</summary>
@@ -154,7 +154,7 @@ internal sealed class EngineThings
         int count = found < 0 ? _used - 1 : found;
         for (int i = 0; i < count; i++)
         {
-            int place = found < 0 ? i + 1 : _places[_world.Colliders[_found[i]].Engine!];
+            int place = found < 0 ? i + 1 : _places[_world.ByIndex[_found[i]].Engine!];
             if (_colliders[place].Engine!.Number != number)
             {
                 continue;
@@ -202,7 +202,7 @@ internal sealed class EngineThings
         // The cast finds colliders near the path. Use each collider's moving box to decide whether the path reaches it.
         for (int i = 0; i < Count; i++)
         {
-            Collider collider = _world.Colliders[_found[i]];
+            Collider collider = _world.ByIndex[_found[i]];
             if (way.SeenFrom(collider.Velocity).Meets(collider.BoundsDuring(way.Time, way.Duration)) <= way.Duration)
             {
                 return false;

@@ -24,7 +24,7 @@ internal static class Flush
     /// <returns>0 if the contact is an impact.</returns>
     public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time, int carrier = -1, Span<Contact> held = default)
     {
-        Collider next = world.Colliders[thing];
+        Collider next = world.ByIndex[thing];
         ShapePoint at = next.At(position, time);
         double r = world.Ball.Radius;
         Vector3d relative = velocity - next.SurfaceVelocity(position - (r * at.Normal), at.Normal, time);
@@ -38,7 +38,7 @@ internal static class Flush
             }
 
             // Flush: the ball touches a surface with the same normal, and closes on it no faster than the difference of the normals explains, |u| |n₁ × n₂|.
-            Collider other = world.Colliders[i];
+            Collider other = world.ByIndex[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactTolerances.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal))
             {
@@ -80,8 +80,8 @@ internal static class Flush
     /// <summary>True if two surfaces do not move relative to each other along their normal.</summary>
     private static bool MovesAlong(World world, int first, int second, in Vector3d position, in ShapePoint on, in ShapePoint at, double time)
     {
-        Collider one = world.Colliders[first];
-        Collider other = world.Colliders[second];
+        Collider one = world.ByIndex[first];
+        Collider other = world.ByIndex[second];
         if (!one.Moves && !other.Moves)
         {
             return true;
@@ -117,8 +117,8 @@ internal static class Flush
             return deeper > 0;
         }
 
-        bool isGround = world.Colliders[first] == world.Ground;
-        return isGround || world.Colliders[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
+        bool isGround = world.ByIndex[first] == world.Ground;
+        return isGround || world.ByIndex[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
     }
 
     /// <summary>Returns the carrier if several surfaces with the same normal touch the ball.</summary>
@@ -141,7 +141,7 @@ internal static class Flush
             return carrier;
         }
 
-        ShapePoint on = world.Colliders[carrier].At(position, time);
+        ShapePoint on = world.ByIndex[carrier].At(position, time);
         int best = carrier;
         double depth = -on.Distance;
         bool isFlat = on.IsFlat;
@@ -153,7 +153,7 @@ internal static class Flush
                 continue;
             }
 
-            ShapePoint at = world.Colliders[i].At(position, time);
+            ShapePoint at = world.ByIndex[i].At(position, time);
             if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactTolerances.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal)
                 || !MovesAlong(world, carrier, i, in position, in on, in at, time))
             {

@@ -1,37 +1,46 @@
 namespace FootballPhysics.Contacts;
 
 /// <summary>Enumerates the colliders whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
-/// <remarks>It includes the engine colliders that the last cast found.</remarks>
+/// <remarks>It includes the engine colliders that the last cast found, and the ends of the nets that the ball is in.</remarks>
 /// <param name="world">The world.</param>
 /// <param name="box">The box.</param>
 /// <param name="time">The time, s.</param>
 /// <param name="duration">The duration, s.</param>
+/// <param name="nets">The nets that the ball is in.</param>
+/// <param name="sides">The ball's side of each.</param>
 /// <param name="withPassages">Whether to include nets and goals.</param>
-internal struct NearThings(World world, in Bounds3d box, double time, double duration, bool withPassages = false)
+internal struct NearThings(World world, in Bounds3d box, double time, double duration, ulong nets = 0, ulong sides = 0, bool withPassages = false)
 {
     private readonly World _world = world;
     private readonly BroadPhase _objects = world.BroadPhase;
     private readonly Bounds3d _box = box;
     private readonly double _time = time;
     private readonly double _duration = duration;
+    private readonly ulong _nets = nets;
+    private readonly ulong _sides = sides;
     private readonly bool _withPassages = withPassages;
+    private int _net;
     private int _unbounded;
     private int _node;
     private int _moving;
     private int _engine;
 
-    /// <summary>Enumerates the colliders that may be within a distance of a ball at a position, m; by default, those that may touch it.</summary>
-    public static NearThings At(World world, in Vector3d position, double time, double distance = ContactTolerances.Touching)
+    /// <summary>Enumerates the colliders that may be within a distance of a ball, m; by default, those that may touch it.</summary>
+    public static NearThings At(World world, in BallState s, double distance = ContactTolerances.Touching) =>
+        At(world, s.Position, s.Time, distance, s.Nets, s.NetSides);
+
+    /// <summary>Enumerates the same colliders for a ball at a position, which is in the given nets.</summary>
+    public static NearThings At(World world, in Vector3d position, double time, double distance = ContactTolerances.Touching, ulong nets = 0, ulong sides = 0)
     {
         world.Engine?.LookAt(in position, time, distance);
-        return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);
+        return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0, nets, sides);
     }
 
     /// <summary>True if the ball may touch a collider other than its carrier.</summary>
     public static bool TouchesOthers(World world, in BallState s)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
-        NearThings near = At(world, s.Position, s.Time);
+        NearThings near = At(world, in s);
         while (near.Next(out int i))
         {
             if (i != carrier)
@@ -54,7 +63,7 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
         int deepest = -1;
         Vector3d side = default;
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
-        NearThings near = At(world, s.Position, s.Time);
+        NearThings near = At(world, in s);
         while (near.Next(out int i))
         {
             if (i == carrier)
@@ -63,9 +72,9 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
             }
 
             // Use the deepest overlap. Break ties by the normals, because the orders of the traversal and of the scene are arbitrary.
-            ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
+            ShapePoint at = world.ByIndex[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
-            overlapsBody |= overlap > ContactTolerances.Touching && world.Colliders[i].IsBody;
+            overlapsBody |= overlap > ContactTolerances.Touching && world.ByIndex[i].IsBody;
             if (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest)))
             {
                 depth = overlap;
@@ -102,7 +111,17 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
         while (_unbounded < _objects.Unbounded.Length)
         {
             thing = _objects.Unbounded[_unbounded++];
-            if (_world.Colliders[thing].Bounds.Intersects(in _box))
+            if (_world.ByIndex[thing].Bounds.Intersects(in _box))
+            {
+                return true;
+            }
+        }
+
+        while (_nets >> _net != 0 && _net < _world.Nets.Length)
+        {
+            int net = _net++;
+            thing = _world.EndOfNet(net, _sides);
+            if ((_nets >> net & 1) != 0 && IsNearPlane(_world.ByIndex[thing].StandingPlane!))
             {
                 return true;
             }
@@ -139,9 +158,17 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
         return false;
     }
 
+    /// <summary>True if a corner of the box is on a plane or beyond it.</summary>
+    private readonly bool IsNearPlane(PlaneShape plane)
+    {
+        Vector3d n = plane.Normal;
+        Vector3d half = 0.5 * (_box.Max - _box.Min);
+        return plane.DistanceTo(_box.Min + half) <= (half.X * Math.Abs(n.X)) + (half.Y * Math.Abs(n.Y)) + (half.Z * Math.Abs(n.Z));
+    }
+
     private readonly bool Touches(int moving)
     {
-        Collider collider = _world.Colliders[moving];
+        Collider collider = _world.ByIndex[moving];
 
         // The box that the collider sweeps during this time.
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);

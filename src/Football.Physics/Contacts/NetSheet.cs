@@ -5,6 +5,9 @@ namespace FootballPhysics.Contacts;
 /// <summary>A net prepared for queries: the depth of the ball in it, and its force on the ball.</summary>
 internal sealed class NetSheet
 {
+    /// <summary>The end of every net: no bounce and no friction.</summary>
+    private static readonly ContactMaterial s_end = new(0, 0, 0);
+
     private readonly Vector3d _center;
     private readonly Vector3d _along;
     private readonly Vector3d _across;
@@ -23,6 +26,7 @@ internal sealed class NetSheet
         _across = Vector3d.Cross(Normal, in _along);
         HalfLength = net.HalfLength;
         HalfWidth = net.HalfWidth;
+        Give = net.Give;
         _radius = ball.Radius;
         _stiffness = net.Stiffness / ball.Mass;
         _damping = net.Damping;
@@ -42,6 +46,9 @@ internal sealed class NetSheet
     /// <summary>Half size in its second direction, m.</summary>
     public double HalfWidth { get; }
 
+    /// <summary>The greatest depth of a ball, m.</summary>
+    public double Give { get; }
+
     /// <summary>The speed at which it returns on its own, 1/b, m/s.</summary>
     public double ReturnSpeed => 1.0 / _damping;
 
@@ -58,6 +65,10 @@ internal sealed class NetSheet
 
     /// <summary>Returns σ of a net.</summary>
     public static double SideOf(ulong sides, int net) => (sides >> net & 1) != 0 ? 1.0 : -1.0;
+
+    /// <summary>Returns the end of the net for a ball on a side: the plane δ = give, as a stationary surface with normal σ n.</summary>
+    public Collider EndOn(double side) =>
+        new(Name, new PlaneShape(side * Normal, (side * Vector3d.Dot(in _center, Normal)) - Give), in s_end) { IsNetEnd = true };
 
     /// <summary>Converts a vector to the sheet's axes: along, across, off its plane.</summary>
     public Vector3d InFrame(in Vector3d vector) =>

@@ -66,7 +66,7 @@ internal static unsafe class RestingSet
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int i = 0; i < set.Length; i++)
         {
-            Collider collider = world.Colliders[set[i].Collider];
+            Collider collider = world.ByIndex[set[i].Collider];
             if (collider.Velocity != still.Velocity || collider.Spin != Vector3d.Zero)
             {
                 return false;

@@ -109,9 +109,10 @@ internal static class SceneCheck
             return world.Engine is null ? Carrier(in s, "one of the scene's things") : null;
         }
 
-        // The carrier is a net, so the ball must be at rest in that net.
+        // The carrier is a net, so the ball must be at rest in that net. The end of a net is a collider.
         long net = s.Carrier - world.ThingOfNet(0);
-        if (net >= 0)
+        bool isEnd = world.IsNetEnd(index);
+        if (net >= 0 && !(isEnd && world.ActsOn(index, in s)))
         {
             bool hangs = s.Motion == MotionState.Rest && net < world.Nets.Length && (s.Nets >> (int)net & 1) != 0;
             return hangs ? null : Carrier(in s, "a thing that can carry the ball");
@@ -123,7 +124,7 @@ internal static class SceneCheck
         }
 
         // The state does not contain the positions of moved or pushed objects: do not check the distance to them.
-        Collider carrier = world.Colliders[index];
+        Collider carrier = world.ByIndex[index];
         if (world.Ignores(carrier))
         {
             return Carrier(in s, "a thing of a layer that the ball does not ignore");

@@ -41,7 +41,7 @@ internal readonly struct Separation(World world, SeparationKind what, int index,
             return;
         }
 
-        Collider collider = _world.Colliders[Index];
+        Collider collider = _world.ByIndex[Index];
         if (collider.StandingPlane is { } plane)
         {
             // A stationary plane has the gap (p − c)·n − r, and no curvature.

@@ -149,7 +149,7 @@ internal struct SetContact
         double r = world.Ball.Radius;
         if (!IsFixed)
         {
-            Collider collider = world.Colliders[Collider];
+            Collider collider = world.ByIndex[Collider];
             ShapePoint point = collider.At(in at.Position, time);
             Unsafe.SkipInit(out SurfaceForces on);
             SurfaceSystem.Describe(collider, r, in point, time, in at, ref on);

@@ -204,12 +204,14 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts.
+        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts; on the end of a net,
+        // all of it does, because the net pulls the ball off its end.
         double pressing = 0;
         if (Nets != 0)
         {
             MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-            pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
+            pressing = -Vector3d.Dot(nets.Acceleration, in n);
+            pressing = Carrier.IsNetEnd ? pressing : Math.Max(0, pressing);
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;
         }

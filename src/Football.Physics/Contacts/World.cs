@@ -45,11 +45,13 @@ internal sealed partial class World
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
             HasPassages = Nets.Length + Goals.Length > 0;
-            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
+            int passages = Nets.Length + Goals.Length + scene.Zones.Count;
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, passages + (2 * Nets.Length));
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
         Colliders = colliders.ToArray();
+        ByIndex = Colliders;
         FirstPassage = Colliders.Length;
         _zones = scene.Zones.Count;
         foreach (Collider collider in Colliders)
@@ -69,6 +71,7 @@ internal sealed partial class World
         BroadPhase = new BroadPhase(this);
         Moves = BroadPhase.Moving.Length > 0 || Engine is not null;
         _names = !scene.HasThings && _zones == 0 ? ["ground"] : NamesOf(scene);
+        AddNetEnds();
     }
 
     /// <summary>The ball.</summary>
@@ -78,14 +81,34 @@ internal sealed partial class World
     public Collider? Ground { get; }
 
     /// <summary>The ground, obstacles, posts and bars; then bodies, and engine colliders.</summary>
+    /// <remarks>When an engine needs more slots, it becomes <see cref="ByIndex"/>.</remarks>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The index of the first net. Goals follow nets, and zones follow goals.</summary>
+    /// <summary>All colliders by their index: <see cref="Colliders"/>, from <see cref="FirstPassage"/> on gaps for the passages, then the ends of the nets,
+    /// and further engine slots.</summary>
+    public Collider[] ByIndex { get; private set; }
+
+    /// <summary>The index of the first net. Goals follow nets, zones follow goals, and the ends of the nets follow zones.</summary>
     /// <remarks>Engine slots that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
     /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
+
+    /// <summary>True if an index belongs to the end of a net. The ends follow the zones: two for each net, one for each side.</summary>
+    public bool IsNetEnd(long thing) => (ulong)(thing - FirstNetEnd) < (ulong)(2 * Nets.Length);
+
+    /// <summary>Returns the index of the end of a net for the ball's side of it.</summary>
+    public int EndOfNet(int net, ulong sides) => FirstNetEnd + (2 * net) + (int)(sides >> net & 1);
+
+    /// <summary>True if a ball is in the net of an end, on its side.</summary>
+    public bool ActsOn(long netEnd, in BallState s)
+    {
+        int net = (int)(netEnd - FirstNetEnd) / 2;
+        return (s.Nets >> net & 1) != 0 && EndOfNet(net, s.NetSides) == netEnd;
+    }
+
+    private int FirstNetEnd => FirstPassage + Nets.Length + Goals.Length + _zones;
 
     /// <summary>The objects by their bounds.</summary>
     public BroadPhase BroadPhase { get; }
@@ -119,7 +142,7 @@ internal sealed partial class World
             double fastest = Engine?.GreatestSpeed ?? 0;
             foreach (int mover in BroadPhase.Moving)
             {
-                fastest = Math.Max(fastest, Colliders[mover].GreatestSpeed);
+                fastest = Math.Max(fastest, ByIndex[mover].GreatestSpeed);
             }
 
             return fastest;
@@ -133,7 +156,7 @@ internal sealed partial class World
         {
             foreach (int mover in BroadPhase.Moving)
             {
-                if (!Colliders[mover].StandsStill)
+                if (!ByIndex[mover].StandsStill)
                 {
                     return true;
                 }
@@ -207,10 +230,10 @@ internal sealed partial class World
         IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
 
     /// <summary>True if the contact normals, and not the indices, decide the order of two colliders.</summary>
-    public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
+    public bool IsByside(int first, int second) => ByIndex[first].IsBody && ByIndex[second].IsBody;
 
     /// <summary>True if an index belongs to a collider.</summary>
-    public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
+    public bool IsCollider(long index) => (ulong)index < (ulong)ByIndex.Length && !IsPassage((int)index);
 
     /// <summary>Adds new slots of an engine's table as colliders.</summary>
     /// <param name="places">All slots of the engine.</param>
@@ -219,12 +242,25 @@ internal sealed partial class World
     /// goals.</param>
     public void Extend(Collider[] places, int from, int index)
     {
-        int before = Colliders.Length;
+        int before = ByIndex.Length;
         var colliders = new Collider[index + places.Length - from];
-        Array.Copy(Colliders, colliders, before);
+        Array.Copy(ByIndex, colliders, before);
         Array.Fill(colliders, places[0], before, index - before);
         Array.Copy(places, from, colliders, index, places.Length - from);
+        ByIndex = colliders;
         Colliders = colliders;
+    }
+
+    /// <summary>Adds the ends of the nets as colliders. The indices of nets, goals and zones before them stay without a collider of their own.</summary>
+    private void AddNetEnds()
+    {
+        if (Nets.Length == 0)
+        {
+            return;
+        }
+
+        Collider[] ends = [.. Nets.SelectMany(net => new[] { net.EndOn(-1), net.EndOn(1) })];
+        ByIndex = [.. Colliders, .. Enumerable.Repeat(ends[0], FirstNetEnd - FirstPassage), .. ends];
     }
 
     // Keep code that a bare pitch does not need in a separate method, so that games without obstacles need not compile it.
@@ -283,6 +319,13 @@ internal sealed partial class World
         }
     }
 
+    /// <summary>Returns the index of a thing in events: the end of a net counts as the net.</summary>
+    public long Reported(long thing) => IsNetEnd(thing - FirstCollider) ? ThingOfNet((int)(thing - FirstCollider - FirstNetEnd) / 2) : thing;
+
+    /// <summary>Returns the index of the collider of an impact event. An impact with a net hits its end on the ball's side.</summary>
+    public int Struck(int thing, in BallState s) =>
+        thing - ThingOfNet(0) is >= 0 and int net && net < Nets.Length ? EndOfNet(net, s.NetSides) : (int)ColliderOf(thing, s.Position, s.Time);
+
     /// <summary>Returns the index of a collider in states and events: an engine collider has its own number.</summary>
     public int ThingOf(int collider) => Engine?.NumberOf(collider) is >= 0 and int number ? number : collider + FirstCollider;
 
@@ -305,7 +348,7 @@ internal sealed partial class World
     {
         // Between steps, identify an engine collider by its own number.
         long index = ColliderOf(s.Carrier, s.Position, s.Time);
-        return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
+        return ByIndex[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
 
     /// <summary>Projects a ball onto a collider that it touches, to remove the integrator's error.</summary>

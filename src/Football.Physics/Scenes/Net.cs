@@ -10,6 +10,8 @@ namespace FootballPhysics;
 /// roll off the roof of a goal, but cannot pass between two joined nets.
 /// <para>In contact, F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t and T = −k_ω δ ω. A ball in the net comes to rest if its energy is below
 /// <see cref="Ground.RestEnergy"/> and all forces balance to within 0.01 m/s².</para>
+/// <para>A net ends at the depth <see cref="Give"/>. There it stops the ball like a stationary plane with normal σ n, without bounce and without friction, and
+/// reports an impact. A ball that a player presses into the end of a net is pinned, as against a board.</para>
 /// </remarks>
 public sealed record Net
 {
@@ -30,6 +32,10 @@ public sealed record Net
 
     /// <summary>Half the size along normal × along, in m; above 0.</summary>
     public required double HalfWidth { get; init; }
+
+    /// <summary>The greatest depth δ of a ball, in m: how far the net gives way. 0.05 … 1e6; default 0.6, a guess (a goal net hangs 0.3 … 1 m loose).</summary>
+    /// <remarks>With the default stiffness and damping, a ball of 0.43 kg reaches this depth above 250 m/s, and a ball of 3 kg above 39 m/s.</remarks>
+    public double Give { get; init; } = 0.6;
 
     /// <summary>The stiffness k, in N/m. 0 … 1e5; default 400.</summary>
     public double Stiffness { get; init; } = 400;

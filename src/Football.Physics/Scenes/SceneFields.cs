@@ -77,9 +77,10 @@ internal static class SceneFields
         new("spinDecayCoefficient", "N m s", "spin damping of the constant law", "published", 0, 1, f => f.SpinDecayCoefficient, (f, v) => f with { SpinDecayCoefficient = v }),
     ];
 
-    /// <summary>The force coefficients of a net.</summary>
+    /// <summary>The greatest depth and the force coefficients of a net.</summary>
     public static NumberField<Net>[] Net { get; } =
     [
+        new("give", "m", "greatest depth of a ball", "guess", 0.05, 1e6, n => n.Give, (n, v) => n with { Give = v }),
         new("stiffness", "N/m", "stiffness", "guess", 0, 1e5, n => n.Stiffness, (n, v) => n with { Stiffness = v }),
         new("damping", "s/m", "damping of the stiffness", "guess", 0, 100, n => n.Damping, (n, v) => n with { Damping = v }),
         new("tangentialDamping", "N s/m²", "damping along the net", "guess", 0, 1e4, n => n.TangentialDamping, (n, v) => n with { TangentialDamping = v }),

@@ -45,7 +45,7 @@ internal sealed class BodyPush
         int pressing = Math.Max(deepest, 0);
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
         {
-            PushOut(ref s, _world.Colliders[deepest]);
+            PushOut(ref s, _world.ByIndex[deepest]);
             deepest = NearThings.Deepest(_world, in s, out _);
         }
 
@@ -70,7 +70,7 @@ internal sealed class BodyPush
         }
 
         int next = Flush.CarrierOf(_world, in s);
-        if (_world.Ball.Radius - _world.Colliders[next].At(s.Position, s.Time).Distance <= Flush.LowerBy)
+        if (_world.Ball.Radius - _world.ByIndex[next].At(s.Position, s.Time).Distance <= Flush.LowerBy)
         {
             _contact.HandOver(ref s, next, ref run);
         }
@@ -100,7 +100,7 @@ internal sealed class BodyPush
         var path = PathCubic.Line(in from, (s.Position - from) / ContactTolerances.Displacement, ContactTolerances.Displacement);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         return new ContactSearch(_world, in path, s.Time).FirstContact(in s, carrier, default, out Separation met, out _) <= ContactTolerances.Displacement
-            && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
+            && met.What == SeparationKind.Contact && !_world.ByIndex[met.Index].Moves;
     }
 
     /// <summary>Releases the ball if its carrier is a body that is no longer at its expected position.</summary>

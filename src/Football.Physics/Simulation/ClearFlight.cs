@@ -158,7 +158,7 @@ internal sealed class ClearFlight
         Vector3d end = s.Position + (ahead * s.Velocity);
         for (int i = 0; i < _world.BroadPhase.Unbounded.Length; i++)
         {
-            Collider collider = _world.Colliders[_world.BroadPhase.Unbounded[i]];
+            Collider collider = _world.ByIndex[_world.BroadPhase.Unbounded[i]];
             if (!collider.IsLevelGround && !(collider.At(in end).Distance >= radius))
             {
                 return false;

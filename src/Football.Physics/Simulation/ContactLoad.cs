@@ -5,7 +5,7 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>Computes a ball's load on a surface: whether the ball stays after an impact, whether friction holds it, and whether the surface
 /// supports it.</summary>
-internal sealed class ContactLoad
+internal sealed unsafe class ContactLoad
 {
     /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
     private const double InBalance = 0.01;
@@ -97,19 +97,39 @@ internal sealed class ContactLoad
         return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
     }
 
-    /// <summary>True if all forces on a ball in a net balance.</summary>
+    /// <summary>True if all forces on a ball in a net balance. The ends of nets take the force that presses the ball onto them.</summary>
     public bool HangsStill(in BallState s)
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
         DragBranch branch = _around.BranchAt(in at);
-        return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
+        Vector3d left = system.On(branch, s.Time, in at).Acceleration;
+        return left.LengthSquared <= InBalance * InBalance || IsHeldByEnds(in s, in left);
+    }
+
+    /// <summary>True if the ends of nets that a ball touches hold it against an acceleration.</summary>
+    private bool IsHeldByEnds(in BallState s, in Vector3d push)
+    {
+        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
+        int count = 0;
+        for (int i = 0; i < _world.Nets.Length && count < ContactSystem.Most; i++)
+        {
+            NetSheet net = _world.Nets[i];
+            double side = NetSheet.SideOf(s.NetSides, i);
+            if ((s.Nets >> i & 1) != 0 && net.Depth(s.Position, side) >= net.Give - ContactTolerances.Touching)
+            {
+                normals[count++] = side * net.Normal;
+            }
+        }
+
+        PushProjection held = PushProjection.Of(normals, count, in push);
+        return count > 0 && (held.TakesAll || held.Left.LengthSquared <= InBalance * InBalance);
     }
 
     /// <summary>True if a collider would support a ball that touches it.</summary>
     public bool IsPressed(in BallState s, int collider)
     {
-        Collider on = _world.Colliders[collider];
+        Collider on = _world.ByIndex[collider];
         ShapePoint at = on.At(s.Position, s.Time);
         return Load(in s, s.Velocity, s.Spin, on, in at) > ContactTolerances.LeastLoad;
     }
@@ -126,9 +146,9 @@ internal sealed class ContactLoad
     /// <summary>Returns the load N/m that the ball would have if it followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // If the air does not add to the load, the load due to the weight is sufficient.
+        // If neither the air nor a net adds to the load, the load due to the weight is sufficient.
         Vector3d along = velocity - collider.Velocity;
-        double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
+        double byWeight = _world.AirLoads || collider.Rotates || collider.IsNetEnd ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > ContactTolerances.LeastLoad ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;
     }
 

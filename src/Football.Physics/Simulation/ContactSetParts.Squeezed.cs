@@ -123,7 +123,7 @@ internal sealed partial class ContactSetParts
         {
             pressing += contact.Load > 0 ? 1 : 0;
             pushed |= contact.Load > 0 && contact.Moves;
-            overlaps |= contact.Moves && _world.Colliders[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactTolerances.Touching;
+            overlaps |= contact.Moves && _world.ByIndex[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactTolerances.Touching;
         }
 
         return !overlaps && (!pushed || pressing < 2);
@@ -187,7 +187,7 @@ internal sealed partial class ContactSetParts
         Vector3d from = s.Position;
         foreach (ref readonly Contact contact in set)
         {
-            ShapePoint at = _world.Colliders[contact.Collider].At(s.Position, s.Time);
+            ShapePoint at = _world.ByIndex[contact.Collider].At(s.Position, s.Time);
             double gap = at.Distance - _around.Radius;
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }

@@ -311,7 +311,7 @@ internal sealed partial class ContactSetParts
 
         ref readonly Contact contact = ref set[named];
         s.Carrier = contact.Collider + _world.FirstCollider;
-        Collider collider = _world.Colliders[contact.Collider];
+        Collider collider = _world.ByIndex[contact.Collider];
         double slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(collider, s.Position, in contact.Normal, s.Time), s.Spin, in contact.Normal, _around.Radius).Length;
         if (changes >= MostNames)
         {

@@ -125,7 +125,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         SetContact* contacts = system.Contacts;
         for (int i = 0; i < set.Length; i++)
         {
-            contacts[i].Prepare(in set[i], _world.Colliders[set[i].Collider], _world.Ball);
+            contacts[i].Prepare(in set[i], _world.ByIndex[set[i].Collider], _world.Ball);
         }
 
         piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -203,7 +203,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         double whole = sweep.Length;
         for (int i = 0; i < system.Count; i++)
         {
-            Collider collider = _world.Colliders[system.Contacts[i].Collider];
+            Collider collider = _world.ByIndex[system.Contacts[i].Collider];
             if (system.Contacts[i].IsFixed && collider.HasFaces)
             {
                 FaceBorder.EndBeyond(ref sweep, in s, collider);
@@ -259,7 +259,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private bool Rests(ref BallState s, in ContactSystem system, in Motion from, ref StepRun run)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
-        Collider carrier = _world.Colliders[bearer.Collider];
+        Collider carrier = _world.ByIndex[bearer.Collider];
         if (!(_world.Energy(in from, carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest)))
         {
             return false;
@@ -269,7 +269,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         for (int i = 0; i < system.Count; i++)
         {
             sticks &= !system.Contacts[i].Bears || system.Contacts[i].Sticks;
-            Collider collider = _world.Colliders[system.Contacts[i].Collider];
+            Collider collider = _world.ByIndex[system.Contacts[i].Collider];
             if (collider.Velocity != carrier.Velocity || collider.Spin != Vector3d.Zero)
             {
                 return false;

@@ -120,7 +120,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // First handle contacts at the current position: an immediate impact, or a ball at rest in a net.
-        if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
+        if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && _contact.RestsInNet(ref s, ref run)))
         {
             return false;
         }
@@ -264,7 +264,7 @@ internal sealed class FlightPhase<TIntegrator>
         if (end.Met.What == SeparationKind.Contact)
         {
             // Set the exact contact height on level ground, so that the path crosses a plane at that height.
-            s.Position = _world.Colliders[end.Met.Index].Snap(s.Position);
+            s.Position = _world.ByIndex[end.Met.Index].Snap(s.Position);
         }
         else if (end.Met.What == SeparationKind.None)
         {
@@ -285,25 +285,6 @@ internal sealed class FlightPhase<TIntegrator>
         {
             _guard.Meet(ref s, in end.Met, ref run);
         }
-    }
-
-    /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
-    private bool RestsInNet(ref BallState s, ref StepRun run)
-    {
-        if (!(_world.Energy(s.Velocity, s.Spin) <= _world.RestEnergy))
-        {
-            return false;
-        }
-
-        // A slow ball may only be turning around, so also require that all forces balance, including those of nets.
-        bool rests = _contact.Load.HangsStill(in s);
-        run.Log.Evaluations++;
-        if (rests)
-        {
-            _contact.RestInNet(ref s, _world.NetForces.Deepest(in s), ref run);
-        }
-
-        return rests;
     }
 
     /// <summary>Ends a piece at the time when the spin reaches zero: decay never reverses a spin.</summary>

@@ -97,7 +97,7 @@ internal sealed class ImpactResult
         }
         else
         {
-            run.Report(BallEventKind.Impact, thing, in end.Normal, in s, in end.Struck, in end.Spin, end.Added);
+            run.Report(BallEventKind.Impact, _world.Reported(thing), in end.Normal, in s, in end.Struck, in end.Spin, end.Added);
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;

@@ -20,6 +20,13 @@ internal sealed class NetGuard
     /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
     private const int MostParts = 64;
 
+    /// <summary>Maximum number of times a ball in a net may lose its grip per step.</summary>
+    /// <remarks>
+    /// A net that goes slack and taut makes the ball grip and slip in turn, ever faster. After this many times, the ball grips for the rest
+    /// of the step, which adds no energy.
+    /// </remarks>
+    private const int MostSlips = 2;
+
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
@@ -35,6 +42,9 @@ internal sealed class NetGuard
             sweep.Step(i < MostShortened - 1 ? 0.25 * sweep.Length : 0);
         }
     }
+
+    /// <summary>True for a ball in a net that has lost its grip too often in this step.</summary>
+    public static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
 
     /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)
@@ -124,11 +134,11 @@ internal sealed class NetGuard
     {
         var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
         double r = _world.Ball.Radius;
-        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
+        var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length, s.Nets, s.NetSides);
         while (near.Next(out int i))
         {
             // Planes have no bounding box, so check their distance here.
-            bool isFar = _world.Colliders[i].StandingPlane is { } plane
+            bool isFar = _world.ByIndex[i].StandingPlane is { } plane
                 && Math.Min(plane.DistanceTo(s.Position), plane.DistanceTo(sweep.Position)) > r + path.Deviation;
             if (i != carrier && !isFar)
             {

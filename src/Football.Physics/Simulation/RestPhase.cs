@@ -221,7 +221,7 @@ internal sealed unsafe class RestPhase
         bool rolls = slip.Length < ContactTolerances.Rolling;
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         run.CarrierGain = rolls ? run.CarrierGain : -run.PerStep * slip;
-        run.Report(rolls ? BallEventKind.Roll : BallEventKind.Slide, s.Carrier, at.Normal, in s, s.Velocity, s.Spin);
+        run.Report(rolls ? BallEventKind.Roll : BallEventKind.Slide, _world.Reported(s.Carrier), at.Normal, in s, s.Velocity, s.Spin);
     }
 
     /// <summary>Returns the path of a ball that moves along with its carrier, and the rotation on it, rad.</summary>

@@ -24,7 +24,7 @@ internal static class SceneHash
         {
             key.Add(net.Bounds);
             key.Add(net.Normal);
-
+            key.Add(net.Give);
             key.Add(net.ReturnSpeed);
             key.Add(net.HalfLength);
             key.Add(net.HalfWidth);
@@ -133,7 +133,7 @@ internal static class SceneHash
     private static void AddColliders(ref SceneKey key, World world)
     {
         // Engine colliders come and go, so they are not part of the scene.
-        foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
+        foreach (Collider collider in world.Colliders.Take(world.FirstPassage).Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);
             key.Add(collider.Given.Velocity);

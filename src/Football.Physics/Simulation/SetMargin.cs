@@ -158,7 +158,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
             case Limit.Bearer when contact.Bears && system.Bearer >= 0 && !system.IsTied && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
                 return (system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.SameLoad)) - contact.Load;
             case Limit.Rest:
-                Collider carrier = system.World.Colliders[contact.Collider];
+                Collider carrier = system.World.ByIndex[contact.Collider];
                 return Math.Sqrt(system.World.Energy(in at, carrier, time + after)) - Math.Sqrt(system.World.RestEnergy);
             case Limit.Spin when contact.Drilling > 0 && system.SpinSign != 0:
                 return system.SpinSign * (Vector3d.Dot(in at.Spin, in contact.Normal) - contact.CarrierSpin);

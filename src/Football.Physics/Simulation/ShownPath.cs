@@ -51,7 +51,7 @@ internal sealed class ShownPath(World world)
         {
             if (!contact.Moves)
             {
-                Collider collider = world.Colliders[contact.Collider];
+                Collider collider = world.ByIndex[contact.Collider];
                 v -= Math.Min(0, OffAt(collider, before.Position, before.Time, in v, out Vector3d n)) * n;
                 w -= Math.Max(0, OffAt(collider, after.Position, after.Time, in w, out n)) * n;
             }
@@ -91,7 +91,7 @@ internal sealed class ShownPath(World world)
         foreach (ref readonly Contact contact in set)
         {
             // On a surface, keep only the tangential velocity.
-            ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
+            ShapePoint at = world.ByIndex[contact.Collider].At(middle.Position, middle.Time);
             bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactTolerances.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
         }
@@ -116,7 +116,7 @@ internal sealed class ShownPath(World world)
             for (int i = 1; i < Samples && !contact.Moves; i++)
             {
                 double t = path.Length * i / Samples;
-                if (world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -ContactTolerances.ShownDepth)
+                if (world.ByIndex[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -ContactTolerances.ShownDepth)
                 {
                     return true;
                 }

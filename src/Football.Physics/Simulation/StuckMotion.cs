@@ -32,7 +32,7 @@ internal static unsafe class StuckMotion
             ref readonly SetContact contact = ref system.Contacts[i];
             double off = Vector3d.Dot(in v, contact.Normal);
             off = contact.Bears ? off : Math.Min(0, off);
-            v -= world.Colliders[contact.Collider].Moves ? Vector3d.Zero : off * contact.Normal;
+            v -= world.ByIndex[contact.Collider].Moves ? Vector3d.Zero : off * contact.Normal;
         }
 
         s.Velocity = v;
@@ -47,7 +47,7 @@ internal static unsafe class StuckMotion
         {
             // Remove the remaining velocity, so that a pinned ball does not creep.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
-            Vector3d material = world.Colliders[bearer.Collider].MaterialVelocity(s.Position, s.Time);
+            Vector3d material = world.ByIndex[bearer.Collider].MaterialVelocity(s.Position, s.Time);
             double about = Vector3d.Dot(s.SpinAxis, bearer.Normal);
             s.Velocity = material;
             s.SpinAxis = Slip.RollingSpin(material - bearer.Surface, about, bearer.Normal, world.Ball.Radius);
@@ -60,7 +60,7 @@ internal static unsafe class StuckMotion
     {
         double r = world.Ball.Radius;
         Vector3d n = contact.Normal;
-        double off = Vector3d.Dot(v - world.Colliders[contact.Collider].ShapeVelocity(s.Position - (r * n), s.Time), in n);
+        double off = Vector3d.Dot(v - world.ByIndex[contact.Collider].ShapeVelocity(s.Position - (r * n), s.Time), in n);
         v -= off * n;
         if (!contact.Sticks)
         {
@@ -81,7 +81,7 @@ internal static unsafe class StuckMotion
     private static double KeepOff(World world, in SetContact contact, ref Vector3d v)
     {
         double closing = Vector3d.Dot(in v, contact.Normal);
-        if (!(closing < -ContactTolerances.Approaching) || world.Colliders[contact.Collider].Moves)
+        if (!(closing < -ContactTolerances.Approaching) || world.ByIndex[contact.Collider].Moves)
         {
             return 0;
         }

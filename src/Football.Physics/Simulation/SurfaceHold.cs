@@ -58,7 +58,7 @@ internal sealed class SurfaceHold
         // Use Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
         for (int i = 0; i < MostPuts; i++)
         {
-            ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);
+            ShapePoint at = _world.ByIndex[collider].At(s.Position, s.Time);
             Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
             double gap = at.Distance - _world.Ball.Radius;
             double share = along.LengthSquared;

@@ -16,13 +16,6 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The thesis' heuristic (2.28) treats a slip below this as zero, m/s.</summary>
     private const double HeuristicSlip = 1e-3;
 
-    /// <summary>Maximum number of times a ball in a net may lose its grip per step.</summary>
-    /// <remarks>
-    /// A net that goes slack and taut makes the ball grip and slip in turn, ever faster. After this many times, the ball grips for the rest
-    /// of the step, which adds no energy.
-    /// </remarks>
-    private const int MostSlips = 2;
-
     /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
     private const int ManyPieces = 32;
 
@@ -136,7 +129,13 @@ internal sealed class SurfacePhase<TIntegrator>
             return false;
         }
 
-        bool grips = piece.System.Grips(in piece.On) || KeepsGrip(in s, in run);
+        // The end of a net has no friction: a ball rests there as it rests in the net.
+        if (piece.System.Carrier.IsNetEnd && _contact.RestsInNet(ref s, ref run))
+        {
+            return false;
+        }
+
+        bool grips = piece.System.Grips(in piece.On) || NetGuard.KeepsGrip(in s, in run);
         Vector3d moving = rolls ? piece.On.Rolling : piece.System.SlipOf(in piece.From, in piece.On);
         piece.Size = moving.Length;
 
@@ -279,7 +278,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         double crossing = sweep.Length;
-        piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
+        piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, NetGuard.KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
@@ -327,9 +326,6 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>True for a ball in a net that has lost its grip too often in this step.</summary>
-    private static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
-
     /// <summary>Keeps only the velocity component of a creeping ball along the push.</summary>
     private void Creep(ref BallState s, in SurfaceForces on, in Vector3d push)
     {
@@ -369,7 +365,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, default(TIntegrator).Order);
         }
 
-        if (!run.Log.Halted && (stop.Grips || KeepsGrip(in s, in run)))
+        if (!run.Log.Halted && (stop.Grips || NetGuard.KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
         }

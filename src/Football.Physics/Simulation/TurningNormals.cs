@@ -34,7 +34,7 @@ internal static class TurningNormals
         {
             if (!contact.IsFlat)
             {
-                Collider collider = world.Colliders[contact.Collider];
+                Collider collider = world.ByIndex[contact.Collider];
                 ShapePoint at = collider.At(s.Position, s.Time);
                 Unsafe.SkipInit(out SurfaceForces on);
                 SurfaceSystem.Describe(collider, world.Ball.Radius, in at, s.Time, in from, ref on);

@@ -57,7 +57,7 @@ internal sealed partial class WorldContact
     {
         run.Squeezes++;
         s.Carrier = collider + _world.FirstCollider;
-        run.Report(BallEventKind.Pinned, s.Carrier, _world.Colliders[collider].At(s.Position, s.Time).Normal, in s, s.Velocity, s.Spin);
+        run.Report(BallEventKind.Pinned, _world.Reported(s.Carrier), _world.ByIndex[collider].At(s.Position, s.Time).Normal, in s, s.Velocity, s.Spin);
         s.SetGroundSpin(s.Spin);
         s.Motion = MotionState.Pinned;
         s.Branch = DragBranch.Unknown;

@@ -37,7 +37,7 @@ internal sealed partial class WorldContact
             return;
         }
 
-        Collider hit = _world.Colliders[collider];
+        Collider hit = _world.ByIndex[collider];
         bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
         if (!carried && hit.IsLevelGround)
         {
@@ -100,7 +100,7 @@ internal sealed partial class WorldContact
         Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.Spin, in n), in n, _world.Ball.Radius);
         if (!run.Jumped)
         {
-            run.Report(BallEventKind.Roll, s.Carrier, in n, in s, s.Velocity, in spin);
+            run.Report(BallEventKind.Roll, _world.Reported(s.Carrier), in n, in s, s.Velocity, in spin);
         }
 
         run.Jumped = false;
@@ -138,7 +138,7 @@ internal sealed partial class WorldContact
         }
 
         Collider before = _world.CarrierOf(in s);
-        Collider next = _world.Colliders[collider];
+        Collider next = _world.ByIndex[collider];
         s.Carrier = collider + _world.FirstCollider;
         if (s.Motion == MotionState.Rolling)
         {
@@ -156,7 +156,7 @@ internal sealed partial class WorldContact
     {
         Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
         s.Motion = MotionState.Sliding;
-        run.Report(BallEventKind.Slide, s.Carrier, in n, in s, s.Velocity, s.Spin);
+        run.Report(BallEventKind.Slide, _world.Reported(s.Carrier), in n, in s, s.Velocity, s.Spin);
     }
 
     /// <summary>Releases the ball from its carrier, and divides the rest of the step from scratch.</summary>
@@ -167,6 +167,25 @@ internal sealed partial class WorldContact
         Fly(ref s, in velocity, in spin);
     }
 
+    /// <summary>Releases a ball from the end of a net that it has left over an edge.</summary>
+    public void LeaveNetEnd(ref BallState s, ref StepRun run)
+    {
+        long carrier = s.Carrier - _world.FirstCollider;
+        if (s.Motion == MotionState.Airborne || !_world.IsNetEnd(carrier) || _world.ActsOn(carrier, in s))
+        {
+            return;
+        }
+
+        if (s.Motion == MotionState.Pinned)
+        {
+            s.Carrier = 0;
+        }
+        else
+        {
+            Leave(ref s, s.Velocity, s.Spin, ref run);
+        }
+    }
+
     /// <summary>Brings the ball to rest on its carrier; it then moves along with the carrier.</summary>
     public void Rest(ref BallState s, ref StepRun run)
     {
@@ -174,12 +193,26 @@ internal sealed partial class WorldContact
         Rest(ref s, carrier.MaterialVelocity(s.Position, s.Time), carrier.Spin, ref run);
     }
 
-    /// <summary>Brings the ball to rest in a net.</summary>
-    public void RestInNet(ref BallState s, int net, ref StepRun run)
+    /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
+    /// <returns>True if the ball rests.</returns>
+    public bool RestsInNet(ref BallState s, ref StepRun run)
     {
-        s.Carrier = _world.ThingOfNet(net);
-        s.Branch = DragBranch.Unknown;
-        Rest(ref s, Vector3d.Zero, Vector3d.Zero, ref run);
+        if (!(_world.Energy(s.Velocity, s.Spin) <= _world.RestEnergy))
+        {
+            return false;
+        }
+
+        // A slow ball may only be turning around, so also require that all forces balance, including those of nets.
+        bool rests = _load.HangsStill(in s);
+        run.Log.Evaluations++;
+        if (rests)
+        {
+            s.Carrier = _world.ThingOfNet(_world.NetForces.Deepest(in s));
+            s.Branch = DragBranch.Unknown;
+            Rest(ref s, Vector3d.Zero, Vector3d.Zero, ref run);
+        }
+
+        return rests;
     }
 
     private static void Rest(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
@@ -198,7 +231,7 @@ internal sealed partial class WorldContact
     {
         // If several surfaces could support the ball, use the first one in scene order.
         int first = int.MaxValue;
-        var near = NearThings.At(_world, s.Position, s.Time);
+        var near = NearThings.At(_world, in s);
         while (near.Next(out int i))
         {
             first = i < first && TakesUp(in s, i, out _) ? i : first;
@@ -207,7 +240,7 @@ internal sealed partial class WorldContact
         if (first < int.MaxValue)
         {
             TakesUp(in s, first, out Vector3d velocity);
-            Collider collider = _world.Colliders[first];
+            Collider collider = _world.ByIndex[first];
             Vector3d spin = s.Spin;
             Vector3d placed = s.Position;
             Vector3d n = _world.Hold(ref s, collider);
@@ -231,7 +264,7 @@ internal sealed partial class WorldContact
     /// <param name="velocity">The ball's velocity along the surface, m/s.</param>
     private bool TakesUp(in BallState s, int index, out Vector3d velocity)
     {
-        Collider collider = _world.Colliders[index];
+        Collider collider = _world.ByIndex[index];
         ShapePoint at = collider.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), at.Normal);
         velocity = s.Velocity - (off * at.Normal);

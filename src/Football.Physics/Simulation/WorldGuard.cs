@@ -31,7 +31,7 @@ internal sealed class WorldGuard
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
         int first = int.MaxValue;
         bool takesUp = false;
-        var near = NearThings.At(_world, s.Position, s.Time);
+        var near = NearThings.At(_world, in s);
         while (near.Next(out int i))
         {
             // Use the first collider in scene order, regardless of the traversal order. Between two bodies, the contact normals decide.
@@ -71,7 +71,7 @@ internal sealed class WorldGuard
         return true;
     }
 
-    private Vector3d NormalOf(int collider, in BallState s) => _world.Colliders[collider].At(s.Position, s.Time).Normal;
+    private Vector3d NormalOf(int collider, in BallState s) => _world.ByIndex[collider].At(s.Position, s.Time).Normal;
 
     /// <summary>Ends a piece at its first contact, except for the contacts that the ball keeps.</summary>
     /// <param name="sweep">The piece.</param>
@@ -170,7 +170,7 @@ internal sealed class WorldGuard
         where TSweep : struct, ISweep
     {
         // The thesis' bisection supports only level ground.
-        if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
+        if (_bisects && found.What == SeparationKind.Contact && _world.ByIndex[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
         {
             Bisection.End(ref sweep, _tolerance, _world.LevelContact);
             return true;
@@ -199,12 +199,13 @@ internal sealed class WorldGuard
                 break;
             default:
                 Pass(ref s, in met, ref run);
+                _contact.LeaveNetEnd(ref s, ref run);
                 break;
         }
     }
 
     /// <summary>Notes that the ball enters or leaves a net or a goal.</summary>
-    private void Pass(ref BallState s, in Separation met, ref StepRun run)
+    public void Pass(ref BallState s, in Separation met, ref StepRun run)
     {
         switch (met.What)
         {

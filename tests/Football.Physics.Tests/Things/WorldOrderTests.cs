@@ -47,7 +47,7 @@ public sealed class WorldOrderTests
     public void Into_a_net_and_out_of_it_again(Profile profile, Integrator integrator, double low, double high)
     {
         // So soft that no step is divided in it.
-        Scene soft = Netted(profile) with { Ground = Ground.None, Nets = [Netted(profile).Nets[0] with { Stiffness = 4, Damping = 0.05, TangentialDamping = 0.2, SpinDamping = 2e-4 }] };
+        Scene soft = Netted(profile) with { Ground = Ground.None, Nets = [Netted(profile).Nets[0] with { Give = 1e6, Stiffness = 4, Damping = 0.05, TangentialDamping = 0.2, SpinDamping = 2e-4 }] };
         Hold("soft net", soft, integrator, 2.5, new Vector3d(0.3, 1.2, -9.2), new Vector3d(0.5, 1, -6), low, high, steps: 640, halvings: 2);
     }
 

@@ -94,7 +94,7 @@ internal sealed class ThingsRun
         var things = new NearThings(world, new Bounds3d(ball.Position, ball.Position).Expanded(world.Ball.Radius + Beside), ball.Time, 0);
         while (things.Next(out int i))
         {
-            Collider collider = world.Colliders[i];
+            Collider collider = world.ByIndex[i];
             double gap = collider.At(ball.Position, ball.Time).Distance - world.Ball.Radius;
             near += gap < Beside ? 1 : 0;
             inMovers = collider.Moves ? Math.Max(inMovers, -gap) : inMovers;
@@ -119,7 +119,7 @@ internal sealed class ThingsRun
                 continue;
             }
 
-            Collider collider = world.Colliders[hit.ColliderIndex - world.FirstCollider];
+            Collider collider = world.ByIndex[hit.ColliderIndex - world.FirstCollider];
             Vector3d contact = hit.Position - (world.Ball.Radius * hit.Normal);
             Vector3d with = collider.SpinVelocity(in contact, hit.Time);
             double before = (mass * (hit.VelocityBefore - with).LengthSquared) + (inertia * hit.SpinBefore.LengthSquared);
@@ -202,7 +202,7 @@ internal sealed class PathSamples(World world) : PieceObserver
         var near = new NearThings(world, new Bounds3d(in middle, in middle).Expanded(around), piece.Time, piece.Length);
         while (near.Next(out int i))
         {
-            Collider collider = world.Colliders[i];
+            Collider collider = world.ByIndex[i];
             if (collider.Moves ? piece.Motion == MotionState.Pinned : collider.At(in middle).Distance > around)
             {
                 continue;

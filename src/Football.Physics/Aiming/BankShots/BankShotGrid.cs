@@ -64,7 +64,7 @@ internal sealed class BankShotGrid(BankShotFlight flight, World world, double ra
             return;
         }
 
-        Bounds3d box = _world.Colliders[thing - _world.FirstCollider].Bounds;
+        Bounds3d box = _world.ByIndex[thing - _world.FirstCollider].Bounds;
         Vector3d size = box.Max - box.Min;
         if (!size.IsFinite)
         {

@@ -19,6 +19,14 @@ public sealed class PlaneShape : IShape
         _offset = Vector3d.Dot(in point, Normal);
     }
 
+    /// <summary>Creates a half-space from a unit normal and its distance from the origin; the numbers are already validated.</summary>
+    internal PlaneShape(in Vector3d normal, double offset)
+    {
+        Point = offset * normal;
+        Normal = normal;
+        _offset = offset;
+    }
+
     /// <summary>A point on the plane, in m.</summary>
     public Vector3d Point { get; }
 

@@ -44,7 +44,7 @@ internal sealed partial class BallPile
 
     private PileContact With(in Contact near, int index, in PileMember member, in BallState s, double h)
     {
-        Collider collider = _simulators[member.Ball].World.Colliders[near.Collider];
+        Collider collider = _simulators[member.Ball].World.ByIndex[near.Collider];
         ref readonly ContactMaterial material = ref near.Material;
         return new PileContact
         {

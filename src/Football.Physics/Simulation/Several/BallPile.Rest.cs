@@ -15,7 +15,7 @@ internal sealed partial class BallPile
             ref readonly PileContact contact = ref _solver.Contacts[i];
             if (contact.Load > 0 && !contact.Moves)
             {
-                world.Hold(ref states[member.Ball], world.Colliders[contact.Collider]);
+                world.Hold(ref states[member.Ball], world.ByIndex[contact.Collider]);
             }
         }
     }

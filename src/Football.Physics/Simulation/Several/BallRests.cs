@@ -154,7 +154,7 @@ internal sealed class BallRests
             Span<Contact> room = stackalloc Contact[ContactSet.Room];
             foreach (ref readonly Contact contact in ContactSet.Near(world, in s, ContactTolerances.Leaning, room, world.Room))
             {
-                key += contact.Moves && Bears(in contact, world.Colliders[contact.Collider]) ? KeyOf(in contact.Normal) : 0;
+                key += contact.Moves && Bears(in contact, world.ByIndex[contact.Collider]) ? KeyOf(in contact.Normal) : 0;
             }
         }
 

@@ -112,7 +112,7 @@ internal sealed class PileBounces
         }
 
         // The exit speed, e u_n.
-        ContactMaterial material = contact.Second < 0 ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position) : _material;
+        ContactMaterial material = contact.Second < 0 ? world.ByIndex[contact.Collider].MaterialAt(states[a.Ball].Position) : _material;
         double e = material.LargestRestitutionAt(closing);
         if (!(Math.Max(e * closing, material.MinimumExitSpeed) >= least))
         {
@@ -146,7 +146,7 @@ internal sealed class PileBounces
         // Also treat an object with a mass as immovable: it does not recoil from a pile.
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        Collider hit = simulator.World.Colliders[contact.Collider];
+        Collider hit = simulator.World.ByIndex[contact.Collider];
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         ImpactLaw.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
         logs[ball].Report(new BallEvent(

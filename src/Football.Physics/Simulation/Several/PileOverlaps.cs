@@ -146,7 +146,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         continue;
                     }
 
-                    Collider collider = world.Colliders[solver.Contacts[i].Collider];
+                    Collider collider = world.ByIndex[solver.Contacts[i].Collider];
                     ShapePoint at = collider.At(s.Position, s.Time);
                     double over = member.Radius - at.Distance;
                     if (over > ContactTolerances.PileCorrection && (pass == 1 || round == 0))

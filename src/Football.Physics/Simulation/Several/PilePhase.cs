@@ -90,7 +90,7 @@ internal sealed class PilePhase
             s.Position = path.At(at);
             s.Time += at;
             var run = new StepRun(0, s.Time, log);
-            _guard.Meet(ref s, in met, ref run);
+            _guard.Pass(ref s, in met, ref run);
         }
 
         s.Position += (end - s.Time) * way;
@@ -112,6 +112,8 @@ internal sealed class PilePhase
             return;
         }
 
+        // The ball may have left the net in its last part.
+        carrier = _world.IsNetEnd(carrier) && !_world.ActsOn(carrier, in s) ? -1 : carrier;
         bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding or MotionState.Rest;
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
@@ -126,7 +128,7 @@ internal sealed class PilePhase
         }
 
         // Project the ball exactly onto the surface. If there is no slip, set the spin of pure rolling.
-        Collider on = _world.Colliders[carrier];
+        Collider on = _world.ByIndex[carrier];
         MotionState before = s.Motion;
         bool same = _world.ColliderOf(s.Carrier, s.Position, s.Time) == carrier;
         s.Carrier = carrier + _world.FirstCollider;
@@ -146,7 +148,7 @@ internal sealed class PilePhase
         BallState free = s;
         free.Motion = MotionState.Airborne;
         int deepest = NearThings.Deepest(_world, in free, out _);
-        return deepest >= 0 && _world.Colliders[deepest].Moves && _around.Radius - _world.Colliders[deepest].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth ? deepest : -1;
+        return deepest >= 0 && _world.ByIndex[deepest].Moves && _around.Radius - _world.ByIndex[deepest].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth ? deepest : -1;
     }
 
     /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another
@@ -155,7 +157,7 @@ internal sealed class PilePhase
     private void StaySqueezed(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
-        Vector3d n = _world.Colliders[carrier].At(s.Position, s.Time).Normal;
+        Vector3d n = _world.ByIndex[carrier].At(s.Position, s.Time).Normal;
         bool begins = s.Motion != MotionState.Pinned;
         s.Motion = MotionState.Pinned;
         s.Carrier = carrier + _world.FirstCollider;
@@ -175,7 +177,7 @@ internal sealed class PilePhase
         var run = new StepRun(0, s.Time, log);
         if (carrier >= 0)
         {
-            _world.Hold(ref s, _world.Colliders[carrier]);
+            _world.Hold(ref s, _world.ByIndex[carrier]);
         }
 
         s.Carrier = Math.Max(0, carrier + _world.FirstCollider);
@@ -186,11 +188,11 @@ internal sealed class PilePhase
         s.Velocity = Vector3d.Zero;
     }
 
-    private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool reports, StepLog log)
+    private void Report(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool reports, StepLog log)
     {
         if (reports)
         {
-            log.Report(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
+            log.Report(new BallEvent(kind, (int)_world.Reported(thing), in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
         }
     }
 }
