@@ -22,12 +22,14 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Maximum rotation of the normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
-    /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the
-    /// step.</summary>
+    /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the step.</summary>
     /// <remarks>
     /// Its direction then turns to that of the push almost at once; in usual steps the ball moves less than 1e-8 m meanwhile.
     /// </remarks>
     private const double Creeping = 256;
+
+    /// <summary>Above this share of the friction, the push delays the stop of a creeping ball, so that it would take many short pieces.</summary>
+    private const double SlowStop = 0.1;
 
     /// <summary>The shortest part of a piece in a net, as a share of the piece.</summary>
     private const double ShortestPart = 0.02;
@@ -161,7 +163,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // The direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
-        moving = piece.Size < ContactTolerances.Rolling ? start : moving;
+        moving = piece.Size < ContactTolerances.Rolling ? start : rolls ? piece.On.Rolling : moving;
         double length = moving.Length;
         piece.System.Direction = length > 0 ? moving / length : Vector3d.Zero;
         piece.System.LocksDirection = piece.Size < ContactTolerances.Rolling;
@@ -179,25 +181,28 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         ref SurfaceSystem system = ref piece.System;
         drive = system.Drive(in piece.On) - piece.On.MaterialRate;
-        bool held = drive.Length <= system.RollingFriction(in piece.On, 0);
+        double friction = system.RollingFriction(in piece.On, 0);
+        bool held = drive.Length <= friction;
         if (system.Rests(in piece.On) && _world.Energy(in piece.From, system.Carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest))
         {
             _contact.Rest(ref s, ref run);
             return true;
         }
 
-        // Friction aligns a creeping ball's velocity with the push long before the end of the step.
+        // Friction aligns a creeping ball's velocity with the push long before the end of the step. If the push is just below friction, the
+        // speed along the push then falls slowly to zero.
+        bool creeps = drive.Length > SlowStop * friction && piece.Size >= ContactTolerances.Rolling && run.Length * friction > Creeping * piece.Size;
+        if (creeps)
+        {
+            double along = Creep(ref s, in piece.On, in drive);
+            piece.Size = held ? along : 0;
+        }
+
         system.Pinned = piece.Size < ContactTolerances.Rolling && held;
-        bool creeps = !held && piece.Size >= ContactTolerances.Rolling && run.Next * system.RollingFriction(in piece.On, 0) > Creeping * piece.Size;
         if (system.Pinned)
         {
             // Remove the remaining velocity, so that a pinned ball does not creep.
             s.Velocity = system.Carrier.MaterialVelocity(s.Position, s.Time);
-        }
-        else if (creeps)
-        {
-            Creep(ref s, in piece.On, in drive);
-            piece.Size = 0;
         }
 
         if (system.Pinned || creeps)
@@ -326,14 +331,16 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>Keeps only the velocity component of a creeping ball along the push.</summary>
-    private void Creep(ref BallState s, in SurfaceForces on, in Vector3d push)
+    /// <summary>Keeps only the velocity component of a creeping ball along the push, and returns its size, m/s.</summary>
+    private double Creep(ref BallState s, in SurfaceForces on, in Vector3d push)
     {
         Collider carrier = _world.CarrierOf(in s);
-        Vector3d along = push / push.Length;
-        s.Velocity += (Math.Max(0, Vector3d.Dot(on.Rolling, in along)) * along) - on.Rolling;
+        Vector3d along = push.Normalized();
+        double speed = Math.Max(0, Vector3d.Dot(on.Rolling, in along));
+        s.Velocity += (speed * along) - on.Rolling;
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in on.Normal, s.Time);
         s.SpinAxis = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.SpinAxis, on.Normal), in on.Normal, _around.Radius);
+        return speed;
     }
 
     /// <summary>Ends a slide by the thesis' heuristic (2.27, 2.28): if the slip has grown or is small.</summary>
