@@ -44,13 +44,20 @@ internal sealed class MatchPlay
     private readonly MatchOutcome _outcome;
     private readonly LabCounts _counts;
 
-    private MatchPlay(long seed, long index, LabCounts counts)
+    private readonly bool _times;
+    private readonly BallState[] _before;
+    private readonly BallState[] _after;
+
+    private MatchPlay(long seed, long index, LabCounts counts, bool times)
     {
+        _times = times;
         _counts = counts;
         _arena = new Arena(SeededRandom.Mix(seed, index));
         _frames = new SeededRandom(SeededRandom.Mix(seed, ~index));
         _frameKind = _frames.Below(4);
         _fixedFrame = _frames.Any(ShortestFrame, 1 / 120.0, 1 / 30.0, 0.05, 0.1, LongestFrame);
+        _before = new BallState[_arena.Balls.Length];
+        _after = new BallState[_arena.Balls.Length];
         _paths = [.. _arena.Balls.Select(_ => new Trajectory(PathPieces))];
         _watches = [.. _arena.Balls.Select(_ => _arena.Scene.Goals.Select(goal => new GoalWatch(goal, _arena.Radius)).ToArray())];
         _outcome = new MatchOutcome(index) { Balls = _arena.Balls.Length };
@@ -63,9 +70,10 @@ internal sealed class MatchPlay
     /// <param name="index">The number of the match.</param>
     /// <param name="seconds">Its length, s.</param>
     /// <param name="counts">The counts of all matches.</param>
-    public static MatchOutcome Play(long seed, long index, double seconds, LabCounts counts)
+    /// <param name="times">Whether to repeat steps that take long.</param>
+    public static MatchOutcome Play(long seed, long index, double seconds, LabCounts counts, bool times = false)
     {
-        var play = new MatchPlay(seed, index, counts);
+        var play = new MatchPlay(seed, index, counts, times);
         try
         {
             play.Match(seconds);
@@ -151,7 +159,15 @@ internal sealed class MatchPlay
     {
         FormattableString at = $"{_arena.Time} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}";
         _log.Clear();
+        _arena.Balls.CopyTo(_before, 0);
+        double start = ThreadClock.Milliseconds;
         _arena.Step(frame, _log);
+        double time = ThreadClock.Milliseconds - start;
+        if (_times && time > StepTimes.Slow)
+        {
+            Repeat(frame, time, at);
+        }
+
         _counts.Add("steps");
         int balls = _arena.Balls.Length;
         int evaluations = (int)Math.Min((_log.Evaluations + balls - 1) / balls, int.MaxValue);
@@ -178,6 +194,26 @@ internal sealed class MatchPlay
             _outcome.See(MatchClaim.Finite, 0, isFinite, at);
             _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{at}, ball {i} at {ball.Position}");
             Deep(ball.Position, $"{at}, ball {i}, end, {ball.Motion}");
+        }
+    }
+
+    /// <summary>Repeats a step that took long from the same states, and keeps it if it takes long in each repeat.</summary>
+    private void Repeat(double frame, double time, FormattableString at)
+    {
+        _arena.Balls.CopyTo(_after, 0);
+        for (int i = 0; i < StepTimes.Repeats && time > StepTimes.Slow; i++)
+        {
+            _before.CopyTo(_arena.Balls, 0);
+            _log.Clear();
+            double start = ThreadClock.Milliseconds;
+            _arena.Step(frame, _log);
+            time = Math.Min(time, ThreadClock.Milliseconds - start);
+        }
+
+        _after.CopyTo(_arena.Balls, 0);
+        if (time > StepTimes.Slow)
+        {
+            _outcome.Slow.Add(new SlowStep(time, _log.Evaluations, _log.Steps, FormattableString.Invariant($"match {_outcome.Index}, {at}")));
         }
     }
 

@@ -28,7 +28,7 @@ internal static class StressLab
         var lab = new Lab(
             "stress",
             "Matches of one to five balls with wind, crowds, movable obstacles and engine colliders, in frames of 4 to 250 ms, checked by independent geometry.",
-            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --asked --matches 20 --seconds 3", "football lab stress --bytes --count 500"]);
+            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --asked --matches 20 --seconds 3", "football lab stress --bytes --count 500", "football lab stress --times --matches 20"]);
         Option<long> matches = lab.Whole("--matches", "Number of matches; half as many with --looks; default 300 with --asked.", 1, Most, 2000);
         Option<long> seconds = lab.Whole("--seconds", "Length of a match in s.", 1, 3600, 12);
         Option<long> jobs = lab.Jobs("Threads.");
@@ -36,13 +36,14 @@ internal static class StressLab
         Option<bool> looks = lab.Flag("--looks", "Matches with and without look-aheads between ticks, and late kicks compared with punctual ones.");
         Option<long> late = lab.Whole("--late", "Number of late kicks, with --looks.", 1, Most, 10_000);
         Option<bool> asked = lab.Flag("--asked", "Paths, aims, restores and recordings before each step, which is also taken in a fresh simulator.");
+        Option<bool> times = lab.Flag("--times", "Repeat steps above 1 ms of processor time, and judge their share.");
         Option<bool> bytes = lab.Flag("--bytes", "Corrupted states, kick logs and recordings: they are rejected, or steps stay finite and short.");
         Option<long> count = lab.Whole("--count", "Inputs of each format, with --bytes.", 1, Most, 1_000_000);
         return lab.Plays(run =>
         {
-            if (new[] { looks, asked, bytes }.Count(flag => run.Get(flag)) > 1)
+            if (new[] { looks, asked, bytes, times }.Count(flag => run.Get(flag)) > 1)
             {
-                throw new RefusedException("--looks, --asked and --bytes are separate runs. Give one of them.");
+                throw new RefusedException("--looks, --asked, --bytes and --times are separate runs. Give one of them.");
             }
 
             double length = run.Get(seconds);
@@ -52,7 +53,7 @@ internal static class StressLab
             }
             else if (run.Get(match) is { } one)
             {
-                MatchesReport.Run(run, one, 1, length, 1);
+                MatchesReport.Run(run, one, 1, length, 1, run.Get(times));
             }
             else if (run.Get(looks))
             {
@@ -64,7 +65,7 @@ internal static class StressLab
             }
             else
             {
-                MatchesReport.Run(run, 0, run.Get(matches), length, run.Int(jobs));
+                MatchesReport.Run(run, 0, run.Get(matches), length, run.Int(jobs), run.Get(times));
             }
         });
     }
@@ -115,13 +116,15 @@ internal static class MatchesReport
         (MatchClaim.Throws, "exceptions"),
     ];
 
-    public static void Run(LabRun run, long first, long matches, double seconds, int jobs)
+    public static void Run(LabRun run, long first, long matches, double seconds, int jobs, bool times)
     {
+        var slow = new StepTimes();
         EvaluationCounts[] evaluations = [new(), new()];
         var counts = new LabCounts();
         MatchOutcome[] outcomes = run.Parallel(matches, jobs, "matches", i =>
         {
-            MatchOutcome outcome = MatchPlay.Play(run.Seed, first + i, seconds, counts);
+            MatchOutcome outcome = MatchPlay.Play(run.Seed, first + i, seconds, counts, times);
+            slow.Add(outcome);
             evaluations[outcome.Balls > 1 ? 1 : 0].Add(outcome);
             return outcome;
         });
@@ -140,6 +143,11 @@ internal static class MatchesReport
         if (evaluations[1].Steps > 0)
         {
             evaluations[1].AddTo(steps, "several");
+        }
+
+        if (times)
+        {
+            slow.AddTo(run);
         }
     }
 }
@@ -169,6 +177,9 @@ internal sealed class MatchOutcome(long index)
 
     /// <summary>The evaluations of each step, per ball.</summary>
     public List<int> Evaluations { get; } = [];
+
+    /// <summary>The steps that take long in each repeat.</summary>
+    public List<SlowStep> Slow { get; } = [];
 
     public Peak<int, FormattableString> MostEvaluations { get; } = new($"");
 

@@ -64,7 +64,7 @@ public sealed class StressLabTests
         Assert.Equal(1, one.Result.GetProperty("tables")[0].GetProperty("rows")[0].GetProperty("matches").GetInt32());
         FootballCommand refused = FootballCommand.Run("", "lab", "stress", "--looks", "--bytes");
         Assert.Equal(1, refused.ExitCode);
-        Assert.EndsWith("--looks, --asked and --bytes are separate runs. Give one of them.", refused.ErrorLine);
+        Assert.EndsWith("--looks, --asked, --bytes and --times are separate runs. Give one of them.", refused.ErrorLine);
     }
 
     /// <summary>Matches in which a look-ahead made balls be played together that otherwise were not: the time until which the way ahead is free differed.</summary>
