@@ -362,12 +362,12 @@ internal static class LookAheadCounts
     {
         var request = new LookAheadRequest { StopAt = end, Duration = 12 };
         int pieces = whole.Pieces.Length;
-        var exact = new Trajectory(pieces);
+        var exact = new Trajectory(new PathSegment[pieces]);
         simulator.LookAhead(in ball, request, exact);
         bool fits = exact.IsComplete && exact.Pieces.Length == pieces && exact.EndTime == whole.EndTime;
         if (pieces > 1)
         {
-            var small = new Trajectory(pieces - 1);
+            var small = new Trajectory(new PathSegment[pieces - 1]);
             simulator.LookAhead(in ball, request, small);
             fits &= !small.IsComplete && small.Pieces.Length == pieces - 1;
         }

@@ -92,7 +92,7 @@ internal sealed class TrueMiss(Scene scene)
     private static readonly LookAheadRequest s_look = new() { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact };
 
     private readonly Simulator _simulator = new(scene);
-    private Trajectory _path = new(8192);
+    private readonly Trajectory _path = new(8192);
 
     /// <summary>Returns the closest approach of a kick, m.</summary>
     /// <param name="request">The request.</param>
@@ -102,12 +102,6 @@ internal sealed class TrueMiss(Scene scene)
     {
         BallState ball = _simulator.Launch(request.From, velocity, spin);
         _simulator.LookAhead(in ball, s_look, _path);
-        while (!_path.IsComplete)
-        {
-            // A step of a light ball that spins fast has many parts.
-            _path = new Trajectory(8 * _path.Pieces.Length);
-            _simulator.LookAhead(in ball, s_look, _path);
-        }
 
         // A target below contact height is raised to it, like a ball.
         return _path.ClosestApproach(new Vector3d(request.Target.X, Math.Max(request.Target.Y, _simulator.ContactHeight), request.Target.Z)).Distance;

@@ -12,6 +12,7 @@ using FootballPhysics.Labs.Nets;
 using FootballPhysics.Labs.Obstacles;
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Peers;
+using FootballPhysics.Labs.Pipes;
 using FootballPhysics.Labs.Play;
 using FootballPhysics.Labs.Queries;
 using FootballPhysics.Labs.Scenes;
@@ -182,7 +183,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

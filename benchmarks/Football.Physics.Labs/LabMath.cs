@@ -35,7 +35,7 @@ internal static class LabMath
             values[i / count, i % count] = height(i / count, i % count);
         }
 
-        return new HeightField(x, z, spacing, values);
+        return HeightField.FromControlValues(x, z, spacing, values);
     }
 
     /// <summary>Returns the number from which on a condition holds, by bisection.</summary>

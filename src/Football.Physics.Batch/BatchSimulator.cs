@@ -66,7 +66,7 @@ public sealed class BatchSimulator
         for (int index = from; index < from + count; index++)
         {
             BallState ball = Simulator.Launch(_launches!.Position[index], _launches.Velocity[index], _launches.Spin[index]);
-            Simulator.LookAheadWhole(in ball, _request!, ref _paths[thread]);
+            Simulator.LookAhead(in ball, _request!, _paths[thread]);
             Write(index, _paths[thread]);
         }
     }

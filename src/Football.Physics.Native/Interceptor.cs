@@ -9,7 +9,7 @@ internal sealed unsafe class Interceptor(Simulator simulator)
 
     private int _capacity = ShortestPath;
     private LookAheadRequest _request = new();
-    private Trajectory _path = new(ShortestPath);
+    private Trajectory _path = new(new PathSegment[ShortestPath]);
     private Player[] _players = [];
 
     /// <summary>The results of the last call.</summary>
@@ -57,7 +57,7 @@ internal sealed unsafe class Interceptor(Simulator simulator)
             }
 
             _capacity *= 4;
-            _path = new Trajectory(_capacity);
+            _path = new Trajectory(new PathSegment[_capacity]);
             simulator.LookAhead(in ball, _request, _path);
         }
     }

@@ -48,8 +48,10 @@ public static class WorldInput
         InputObject heights = ground.Object("heights");
         double[] origin = heights.Numbers("origin", "[x, z]", [0, 0]);
         double spacing = heights.Number("spacing");
-        return heights.Table("values") is { } values
-            ? heights.Make(() => new HeightField(origin[0], origin[1], spacing, values))
+        heights.Exclude("nodes", "values");
+        string name = heights.Has("nodes") ? "nodes" : "values";
+        return heights.Table(name) is { } table
+            ? heights.Make(() => new HeightField(origin[0], origin[1], spacing, table, name, areNodes: name == "nodes"))
             : null;
     }
 

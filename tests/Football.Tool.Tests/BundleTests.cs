@@ -37,9 +37,13 @@ public sealed class BundleTests : IDisposable
                 new Zone { Name = "box", Shape = new BoxShape(new Vector3d(1, 0, -9), new Vector3d(3, 2, 1), new Quaterniond(0, 0.6, 0, 0.8)) },
             ],
         },
+        ["heights at nodes"] = () => new Scene
+        {
+            Ground = new Ground { Heights = new HeightField(-10, -30, 10, new double[,] { { 0, 0.1, 0.2, 0.1 }, { 0.1, 0.5, 0.2, 0.3 }, { 0, 0.1, 0.3, 0 } }), Height = 0.3 },
+        },
         ["hills and things"] = () => new Scene
         {
-            Ground = new Ground { Material = SurfaceMaterial.WetTurf, Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
+            Ground = new Ground { Material = SurfaceMaterial.WetTurf, Heights = HeightField.FromControlValues(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
             Obstacles =
             [
                 new Obstacle { Name = "ramp \"A\"", Shape = new PlaneShape(new Vector3d(0, -3, 0), new Vector3d(0.1, 1, 0.3)) },

@@ -329,6 +329,30 @@ public sealed class SimulateTests
         Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
     }
 
+    /// <summary>A ball at rest lies on the height of its node; the control values of the same numbers are lower.</summary>
+    [Fact]
+    public void Heights_are_those_of_the_nodes_or_control_values()
+    {
+        string Ground(string members) => $$$"""{"ground": {"heights": {"origin": [-5, -5], "spacing": 5, {{{members}}}}}, "launch": {"position": [0, 0, 0], "velocity": [0, 0, 0]}, "stop": {"at": "time", "time": 0}}""";
+        double Height(string member) =>
+            FootballCommand.Play(Ground($"\"{member}\": [[0, 0, 0], [0, -0.9, 0], [0, 0, 0]]")).GetProperty("final").GetProperty("position")[1].GetDouble();
+        double radius = BallProperties.Modern.Radius;
+        Assert.Equal(-0.9 + radius, Height("nodes"), 1e-9);
+        Assert.Equal((-0.9 * 4 / 9) + radius, Height("values"), 1e-9);
+        foreach ((string members, string expected) in new[]
+        {
+            ("\"nodes\": [[0]], \"values\": [[0]]", "ground.heights.nodes is [[0]]; allowed: nodes or values, not both"),
+            ("\"nodes\": [[0], [0, 1]]", "ground.heights.nodes is "),
+            ("\"nodes\": [[0, 2e6]]", "ground.heights.nodes[0][1] is 2e6; allowed: "),
+            ("\"nodes\": [[0, 0], [0, 9], [0, 0]]", "ground.heights (its steepest slope, between nodes, at x "),
+        })
+        {
+            FootballCommand done = FootballCommand.Simulate(Ground(members));
+            Assert.Equal(1, done.ExitCode);
+            Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
+        }
+    }
+
     [Fact]
     public void Gravity_is_a_number_or_a_vector_that_does_not_point_up()
     {

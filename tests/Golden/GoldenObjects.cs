@@ -94,7 +94,7 @@ internal static class GoldenObjects
             }
         }
 
-        return new HeightField(-5, -5, 0.5, values);
+        return HeightField.FromControlValues(-5, -5, 0.5, values);
     }
 }
 

@@ -225,7 +225,7 @@ internal sealed partial class ApiReference
 
         if (type.IsArray)
         {
-            return Name(type.GetElementType()!) + "[]";
+            return $"{Name(type.GetElementType()!)}[{new string(',', type.GetArrayRank() - 1)}]";
         }
 
         string simple = Type.GetTypeCode(type) switch
@@ -271,7 +271,9 @@ internal sealed partial class ApiReference
 
         if (type.IsArray)
         {
-            return Key(type.GetElementType()!) + "[]";
+            // The name of an array with several dimensions has the lower bound of each: [0:,0:].
+            int rank = type.GetArrayRank();
+            return $"{Key(type.GetElementType()!)}[{(rank > 1 ? string.Join(',', Enumerable.Repeat("0:", rank)) : "")}]";
         }
 
         if (type.IsGenericParameter)

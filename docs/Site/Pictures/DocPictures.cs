@@ -21,5 +21,6 @@ internal static class DocPictures
         ("reach", PlayPictures.Reach),
         ("fan", PlayPictures.Fan),
         ("misses", PlayPictures.Misses),
+        ("heights", GroundPictures.Heights),
     ];
 }

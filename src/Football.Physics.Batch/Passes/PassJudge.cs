@@ -13,7 +13,7 @@ internal sealed class PassJudge(Simulator simulator, Simulator? amongThings)
 
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly Interception _query = new();
-    private Trajectory _path = new();
+    private readonly Trajectory _path = new();
 
     /// <summary>Look-aheads of 1, 2, 3 … s, up to the duration of a pass, for passes in the air and on the ground.</summary>
     private LookAheadRequest[] _toImpact = [];
@@ -141,7 +141,7 @@ internal sealed class PassJudge(Simulator simulator, Simulator? amongThings)
         request.Kick(index, out velocity, out spin);
         BallState ball = simulator.Launch(request.From, velocity, spin);
         bool rolls = ball.Motion != MotionState.Airborne;
-        simulator.LookAheadWhole(in ball, rolls ? _toRest[seconds] : _toImpact[seconds], ref _path);
+        simulator.LookAhead(in ball, rolls ? _toRest[seconds] : _toImpact[seconds], _path);
         return rolls ? _path.Final.Motion == MotionState.Rest : _path.TryGetTouchdown(0, out _);
     }
 }

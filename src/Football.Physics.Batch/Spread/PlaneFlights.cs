@@ -13,7 +13,7 @@ internal sealed class PlaneFlights
     private readonly LaneFlight? _lanes;
     private readonly LaneDomain _domain;
     private readonly LaneGroup _group = new();
-    private Trajectory _path = new();
+    private readonly Trajectory _path = new();
     private readonly Vector3d _wind;
     private LookAheadRequest? _request; // that of the last plane
 
@@ -111,7 +111,7 @@ internal sealed class PlaneFlights
             _request = new LookAheadRequest { Duration = Longest, UntilPlane = plane };
         }
 
-        _simulator.LookAheadWhole(in ball, _request, ref _path);
+        _simulator.LookAhead(in ball, _request, _path);
         return _path.TryGetCrossing(in plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
     }
 

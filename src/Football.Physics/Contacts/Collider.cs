@@ -20,12 +20,18 @@ internal sealed class Collider
     /// <summary>The factor by which the ball scales every restitution.</summary>
     private readonly double _bounce = 1;
 
+    /// <summary>The radius of the ball, m, for engine colliders.</summary>
+    private readonly double _radius;
+
+    private double _hollow;
+
     public Collider(string name, IShape shape, in ContactMaterial material)
     {
         Name = name;
         _shape = shape;
         _bounds = shape.Bounds;
         _material = material;
+        _hollow = shape.MaximumConcaveCurvature;
         Classify();
     }
 
@@ -43,6 +49,7 @@ internal sealed class Collider
         Surfaces = [obstacle.Surface];
         Mass = obstacle.Mass;
         Layer = obstacle.Layer;
+        _hollow = HollowSamples.Corrected(_shape, ball.Radius);
         _obstacles = all;
         _placement = placement;
         _motion.Velocity = obstacle.Velocity;
@@ -57,6 +64,7 @@ internal sealed class Collider
         Surfaces = [body.Surface];
         Mass = body.Mass;
         Layer = body.Layer;
+        _hollow = HollowSamples.Corrected(_shape, ball.Radius);
         _body = body;
         _placement = body.Placement;
         Classify();
@@ -66,6 +74,7 @@ internal sealed class Collider
     public Collider(Placement none, EnginePushes pushes, BallProperties ball)
     {
         _bounce = ball.Bounce;
+        _radius = ball.Radius;
         _enginePushes = pushes;
         Name = "";
         _shape = new TangentShape();
@@ -186,8 +195,8 @@ internal sealed class Collider
     /// <remarks>The distance of a path from the plane is a single cubic.</remarks>
     public PlaneShape? StandingPlane { get; private set; }
 
-    /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
-    public double HollowCurvature { get; private set; }
+    /// <summary>Its largest concave curvature, 1/m; 0 if it is convex. A stated value that samples contradict is replaced.</summary>
+    public double HollowCurvature => _hollow;
 
     /// <summary>Its bounding box in its own frame; for objects that the game does not move, at time 0.</summary>
     public ref readonly Bounds3d Bounds => ref _bounds;
@@ -200,6 +209,7 @@ internal sealed class Collider
         Engine = collider;
         Name = collider.Name;
         _shape = collider.Shape;
+        _hollow = collider.Hollow(_radius);
         _bounds = _shape.Bounds;
         _material = new ContactMaterial(collider.Surface, _bounce);
         _placement = collider.Placement;
@@ -210,7 +220,6 @@ internal sealed class Collider
     /// <summary>Sets the properties that follow from its shape, its mass and its motion.</summary>
     private void Classify()
     {
-        HollowCurvature = _shape.MaximumConcaveCurvature;
         GivesWay = Mass < double.PositiveInfinity;
         Moves = _placement is not null || _motion.Velocity != Vector3d.Zero;
         StandingPlane = Moves ? null : _shape as PlaneShape;
@@ -265,6 +274,20 @@ internal sealed class Collider
 
     /// <summary>Returns distance, normal and curvature at a point in the object's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);
+
+    /// <summary>Returns the curvature of the surface as a ball meets it.</summary>
+    /// <param name="at">The surface at the ball.</param>
+    /// <param name="position">Position of the ball, m.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="time">The time, s.</param>
+    public Bend BendAt(in ShapePoint at, in Vector3d position, in Vector3d velocity, double time) => new(in at, velocity - ShapeVelocity(in position, time));
+
+    /// <summary>True if a contact lies within the bounds of the shape: beyond them, a distance function may go on without a surface.</summary>
+    public bool Reaches(in Vector3d contact, double time) =>
+        BoundsAt(time).Expanded(ContactTolerances.ClosedGap + (ContactTolerances.ClockRounding * contact.Length)).Intersects(new Bounds3d(in contact, in contact));
+
+    /// <summary>True if the curvature of its shape may jump along a path, as between the parts of a shape of the game's own.</summary>
+    public bool MayBend => _shape is not (PlaneShape or SphereShape or HeightField or TangentShape);
 
     /// <summary>Returns the shape and its motion from a given time on, for repeated queries within a piece.</summary>
     public MovingShape From(double time) => new(_shape, in Motion, time);

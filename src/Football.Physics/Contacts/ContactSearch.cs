@@ -198,7 +198,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         if (collider.StandingPlane is { } plane)
         {
             var flat = new PlaneGap(in _path, plane.Normal, plane.DistanceTo(in _path.Start) - r);
-            return TimeOfImpact.First(ref flat, in span);
+            return FirstBesideSeams(ref flat, thing, carrier, held, in span, out seam);
         }
 
         if (collider.Rotates)
@@ -232,9 +232,19 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         }
 
         var gap = new ShapeGap(collider, in path, _bend, r, in span);
+        return FirstBesideSeams(ref gap, thing, carrier, held, in span, out seam);
+    }
+
+    /// <summary>Returns the time of the first closing contact that is not a flush seam, or of a seam at which the collider becomes the carrier.</summary>
+    private double FirstBesideSeams<TGap>(ref TGap gap, int thing, int carrier, Span<Contact> held, in SearchSpan span, out bool seam)
+        where TGap : struct, ICrossedGap
+    {
+        seam = false;
         double t = TimeOfImpact.First(ref gap, in span);
         while (t <= span.Until)
         {
+            t = gap.Earliest(t);
+
             // A flush seam causes no contact: advance until the ball is above the face and the normals agree.
             double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
             if (!(passage > 0))
@@ -244,7 +254,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
 
             t += Math.Max(passage, span.Shortest);
             gap.Crosses = true;
-            seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
+            seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _path.VelocityAt(t), _time + t) == thing;
             if (seam)
             {
                 return t;

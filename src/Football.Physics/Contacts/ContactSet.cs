@@ -380,6 +380,9 @@ internal struct Contact
     /// <summary>True if the surface is flat there.</summary>
     public readonly bool IsFlat;
 
+    /// <summary>The curvature of the surface as the ball meets it.</summary>
+    public readonly Bend Bend;
+
     /// <summary>n, towards the ball.</summary>
     public readonly Vector3d Normal;
 
@@ -409,6 +412,7 @@ internal struct Contact
         Collider = index;
         Moves = collider.Moves;
         IsFlat = at.IsFlat;
+        Bend = collider.BendAt(in at, s.Position, s.Velocity, s.Time);
         Normal = at.Normal;
         Velocity = collider.SurfaceVelocity(s.Position - (radius * at.Normal), at.Normal, s.Time);
         Gap = gap;

@@ -57,6 +57,10 @@ internal static class ContactTolerances
     /// <remarks>Above: a contact is late by this gap at the next evaluation. Below: a ball that touches a drum needs many evaluations.</remarks>
     public const double SlowSink = 1e-8;
 
+    /// <summary>The maximum rise of a touched hollow surface between two evaluations of a search, m.</summary>
+    /// <remarks>Above: a ball passes through a lower bump. Below: a search along the surface takes thousands of evaluations.</remarks>
+    public const double RiseAlong = 1e-8;
+
     /// <summary>The overlap of two balls of a pile at which the separation goes on, m.</summary>
     /// <remarks>Above: overlaps grow visibly in high piles. Below: the rounds run out in large ones.</remarks>
     public const double PileOverlap = 1e-7;
@@ -128,6 +132,10 @@ internal static class ContactTolerances
     /// <summary>A slip on one of several surfaces below this has ended, m/s.</summary>
     /// <remarks>Above: slides end early. Below: a turning slip takes ever shorter pieces.</remarks>
     public const double Sticking = 1e-7;
+
+    /// <summary>The component across the push of a slow slip that follows it in a hollow, m/s.</summary>
+    /// <remarks>Above: the velocity of a ball that loses its grip is off. Below: the pieces follow the direction of the slip, and a step has thousands.</remarks>
+    public const double SlowSlip = 1e-7;
 
     /// <summary>After many pieces, a turning slip ends at this larger value, m/s.</summary>
     /// <remarks>Above: the end of the slip is visible in the path. Below: the pieces of a step run out.</remarks>
@@ -215,6 +223,12 @@ internal static class ContactTolerances
     /// <summary>A load or a friction margin below this counts as zero, m/s².</summary>
     /// <remarks>Above: a light ball leaves its surface. Below: rounding of cancelling forces holds it.</remarks>
     public const double LeastLoad = 1e-9;
+
+    // ---- Curvatures, 1/m ----
+
+    /// <summary>Two curvatures are equal within this.</summary>
+    /// <remarks>Above: a ball rolls below a wide hollow. Below: rounding chooses between surfaces.</remarks>
+    public const double SameBend = 1e-6;
 
     // ---- Directions: sines, cosines and determinants of unit vectors ----
 
@@ -354,6 +368,10 @@ internal static class ContactTolerances
     /// <summary>The solver of a pile stops if a change of speed is below this share of the change by the forces in a part.</summary>
     /// <remarks>Above: a pile creeps. Below: the rounds run out.</remarks>
     public const double PileSettled = 1e-5;
+
+    /// <summary>A piece ends this share of its length before a jump of the curvature.</summary>
+    /// <remarks>Above: the next piece, across the jump, is long. Below: a stage of the integrator is beyond the jump.</remarks>
+    public const double BeforeBend = 1e-5;
 
     /// <summary>A pile rests if, with its contacts, each ball keeps at most this share of the forces on it.</summary>
     /// <remarks>Above: a falling pile rests. Below: the solver's error keeps a pile awake.</remarks>

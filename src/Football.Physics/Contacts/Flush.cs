@@ -103,13 +103,14 @@ internal static class Flush
     /// <param name="second">The other contact.</param>
     /// <param name="carrier">The carrier; −1 if there is none.</param>
     public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier) =>
-        ComesBefore(world, first.Collider, first.IsFlat, second.Collider, second.IsFlat, second.Gap - first.Gap, carrier);
+        ComesBefore(world, first.Collider, in first.Bend, second.Collider, in second.Bend, second.Gap - first.Gap, carrier);
 
-    private static bool ComesBefore(World world, int first, bool firstIsFlat, int second, bool secondIsFlat, double deeper, int carrier)
+    private static bool ComesBefore(World world, int first, in Bend bend, int second, in Bend other, double deeper, int carrier)
     {
-        if (firstIsFlat != secondIsFlat)
+        double rises = bend.CompareTo(in other);
+        if (rises != 0)
         {
-            return firstIsFlat;
+            return rises < 0;
         }
 
         if (Math.Abs(deeper) > ContactTolerances.SameDepth)
@@ -123,18 +124,19 @@ internal static class Flush
 
     /// <summary>Returns the carrier if several surfaces with the same normal touch the ball.</summary>
     /// <remarks>
-    /// Priority: a face below the ball, the deepest, any object before the ground, the current carrier, scene order.
+    /// Priority: the surface that curves least (<see cref="Bend"/>), the deepest, any object before the ground, the current carrier, scene order. A surface
+    /// ends at its bounds.
     /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball, on a surface.</param>
     /// <returns>Index of the collider.</returns>
     public static int CarrierOf(World world, in BallState s)
     {
-        return CarrierAt(world, (int)s.Carrier - world.FirstCollider, s.Position, s.Time);
+        return CarrierAt(world, (int)s.Carrier - world.FirstCollider, s.Position, s.Velocity, s.Time);
     }
 
     /// <inheritdoc cref="CarrierOf"/>
-    public static int CarrierAt(World world, int carrier, in Vector3d position, double time)
+    public static int CarrierAt(World world, int carrier, in Vector3d position, in Vector3d velocity, double time)
     {
         if (!world.IsCollider(carrier))
         {
@@ -145,6 +147,8 @@ internal static class Flush
         int best = carrier;
         double depth = -on.Distance;
         bool isFlat = on.IsFlat;
+        Bend bend = world.ByIndex[carrier].BendAt(in on, in position, in velocity, time);
+        bool ends = !world.ByIndex[carrier].Reaches(position - (on.Distance * on.Normal), time);
         var near = NearThings.At(world, in position, time);
         while (near.Next(out int i))
         {
@@ -155,18 +159,20 @@ internal static class Flush
 
             ShapePoint at = world.ByIndex[i].At(position, time);
             if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactTolerances.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal)
-                || !MovesAlong(world, carrier, i, in position, in on, in at, time))
+                || !MovesAlong(world, carrier, i, in position, in on, in at, time) || !world.ByIndex[i].Reaches(position - (at.Distance * at.Normal), time))
             {
                 continue;
             }
 
             // The traversal order is undefined: choose by this rule instead of by the first contact found.
-            bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
+            Bend other = world.ByIndex[i].BendAt(in at, in position, in velocity, time);
+            bool wins = (ends && best == carrier) || ComesBefore(world, i, in other, best, in bend, -at.Distance - depth, carrier);
             if (wins)
             {
                 best = i;
                 depth = -at.Distance;
                 isFlat = at.IsFlat;
+                bend = other;
             }
         }
 

@@ -4,7 +4,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Contacts;
 
 /// <summary>The gap between a ball on a path and a stationary plane: a cubic in time.</summary>
-internal readonly struct PlaneGap : IGap
+internal struct PlaneGap : ICrossedGap
 {
     private readonly double _c0;
     private readonly double _c1;
@@ -25,10 +25,15 @@ internal readonly struct PlaneGap : IGap
 
         // The second derivative is linear in time, so it is greatest at an end.
         _bend = Math.Max(0, -2.0 * Math.Min(_c2, _c2 + (3.0 * path.Length * _c3)));
+        Crosses = false;
     }
 
+    public bool Crosses { get; set; }
+
+    public readonly double Earliest(double t) => t;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool IsClosed(double t, out double step)
+    public readonly bool IsClosed(double t, out double step)
     {
         double gap = _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
         double rate = _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
@@ -38,16 +43,29 @@ internal readonly struct PlaneGap : IGap
     }
 }
 
+/// <summary>The gap between a ball on a path and a collider that may be flush with the carrier of the ball.</summary>
+internal interface ICrossedGap : IGap
+{
+    /// <summary>True after the ball has crossed a flush seam onto the collider.</summary>
+    bool Crosses { get; set; }
+
+    /// <summary>Returns the time of the contact, up to one that was found after a step along a touched surface.</summary>
+    double Earliest(double t);
+}
+
 /// <summary>The gap between a ball on a path and a collider that does not rotate, in the frame of the collider.</summary>
-internal struct ShapeGap : IGap
+internal struct ShapeGap : ICrossedGap
 {
     private readonly Collider _collider;
     private readonly PathCubic _path;
     private readonly SearchSpan _span;
     private readonly double _radius;
+    private readonly double _near;
     private readonly double _acceleration;
     private readonly double _speed;
     private readonly double _bend;
+    private readonly bool _mayRise;
+    private double _open;
 
     /// <summary>Prepares the gap.</summary>
     /// <param name="collider">The collider.</param>
@@ -66,14 +84,32 @@ internal struct ShapeGap : IGap
         // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) if the surface is concave. A convex surface bends away from the path.
         double hollow = collider.HollowCurvature;
         _speed = path.FastestSpeed;
-        _bend = acceleration + (hollow > 0 ? _speed * _speed * hollow / (1.0 - ((1.0 + TimeOfImpact.NearHollow) * radius * hollow)) : 0);
+        _mayRise = hollow > 0 && collider.MayBend;
+        _near = TimeOfImpact.NearHollow(radius, hollow);
+        _bend = acceleration + (hollow > 0 ? _speed * _speed * hollow / (1.0 - ((1.0 + _near) * radius * hollow)) : 0);
         Crosses = false;
     }
 
-    /// <summary>True after the ball has crossed a flush seam onto the collider.</summary>
+    /// <inheritdoc/>
     public bool Crosses { get; set; }
 
-    public readonly bool IsClosed(double t, out double step)
+    /// <inheritdoc/>
+    public double Earliest(double t)
+    {
+        // A step along a touched surface may end below it: halve the step.
+        double first = _open;
+        while (_mayRise && t - first > _span.Shortest && _collider.At(_path.At(t)).Distance < _radius - ContactTolerances.Touching)
+        {
+            double half = 0.5 * (first + t);
+            bool closed = IsClosed(half, out _);
+            first = closed ? first : half;
+            t = closed ? half : t;
+        }
+
+        return t;
+    }
+
+    public bool IsClosed(double t, out double step)
     {
         ShapePoint at = _collider.At(_path.At(t));
         double gap = at.Distance - _radius;
@@ -84,6 +120,7 @@ internal struct ShapeGap : IGap
             return true;
         }
 
+        _open = t;
         step = double.PositiveInfinity;
         if (t == 0 && gap <= ContactTolerances.Touching && rate <= ContactTolerances.Leaving && _acceleration == 0)
         {
@@ -103,12 +140,17 @@ internal struct ShapeGap : IGap
         }
 
         step = TimeOfImpact.Step(gap, rate, _bend);
+        if (_mayRise && gap <= ContactTolerances.Touching)
+        {
+            // Along a touched surface, as along the foot of a pipe, the surface may rise a little between two evaluations: a contact is then located.
+            step = Math.Max(step, TimeOfImpact.Safe(ContactTolerances.RiseAlong, Math.Min(rate, 0), _bend));
+        }
 
         // Far from a concave surface, M is invalid: bound the closing by the speed. Near it, use M only until the ball may be far again.
         if (hollow > 0)
         {
             double bySpeed = Math.Max(gap, 0) / _speed;
-            step = gap < TimeOfImpact.NearHollow * _radius ? Math.Max(bySpeed, Math.Min(step, ((TimeOfImpact.NearHollow * _radius) - gap) / _speed)) : bySpeed;
+            step = gap < _near * _radius ? Math.Max(bySpeed, Math.Min(step, ((_near * _radius) - gap) / _speed)) : bySpeed;
         }
 
         return false;
@@ -127,6 +169,7 @@ internal readonly struct RotatingGap : IGap
     private readonly MovingShape _shape;
     private readonly PathCubic _path;
     private readonly double _hollow;
+    private readonly double _near;
     private readonly double _radius;
     private readonly double _closing;
     private readonly double _whole;
@@ -159,7 +202,8 @@ internal readonly struct RotatingGap : IGap
         // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path; a concave one bends towards it by |q̇|² κ/(1 − κ d).
         _whole = speed + around;
         double bend = acceleration + (spin * ((2.0 * speed) + around));
-        bend += hollow > 0 ? _whole * _whole * hollow / (1.0 - ((1.0 + TimeOfImpact.NearHollow) * radius * hollow)) : 0;
+        _near = TimeOfImpact.NearHollow(radius, hollow);
+        bend += hollow > 0 ? _whole * _whole * hollow / (1.0 - ((1.0 + _near) * radius * hollow)) : 0;
         _bend = bend;
     }
 
@@ -174,7 +218,7 @@ internal readonly struct RotatingGap : IGap
 
         // Use the longer of two safe steps: by the speed bound, and by the acceleration bound. On concave surfaces, the latter only holds near the surface.
         double byBend = TimeOfImpact.Safe(Math.Max(gap, 0) + (rate > -Slow ? ContactTolerances.SlowSink : 0), rate, _bend);
-        byBend = !(_hollow > 0) ? byBend : gap < TimeOfImpact.NearHollow * _radius ? Math.Min(byBend, ((TimeOfImpact.NearHollow * _radius) - gap) / _whole) : 0;
+        byBend = !(_hollow > 0) ? byBend : gap < _near * _radius ? Math.Min(byBend, ((_near * _radius) - gap) / _whole) : 0;
         step = Math.Max(byBend, Math.Max(gap, 0) / _closing);
         return false;
     }

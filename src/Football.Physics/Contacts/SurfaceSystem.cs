@@ -56,6 +56,9 @@ internal struct SurfaceSystem : IMotionSystem
     /// </remarks>
     public bool LocksDirection;
 
+    /// <summary>True if friction acts along the push on the slip at each instant, see SlowSlip.</summary>
+    public bool FollowsPush;
+
     /// <summary>True if the ball is at a standstill on the carrier and only spins about the normal.</summary>
     public bool Pinned;
 
@@ -354,6 +357,14 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly Vector3d SlipPush(in SurfaceForces on, in Vector3d spin) =>
         on.Body + on.Air + (World.Ball.Radius * (Vector3d.Cross(in on.Normal, in on.Torque) + SlipTurn(in on, in spin))) - on.SurfaceRate;
 
+    /// <summary>The rate of the slip: ṡ = v̇_t − A_t + r (ṅ × ω)_t + r n × ω̇.</summary>
+    public readonly Vector3d SlipRate(in SurfaceForces on, in MotionRates rates, in Vector3d spin) =>
+        Tangential(in rates.Acceleration, on.Normal)
+        + (World.Ball.Radius * (Vector3d.Cross(on.Normal, in rates.SpinAcceleration) + SlipTurn(in on, in spin))) - on.SurfaceRate;
+
+    /// <summary>Returns the deceleration of the slip by friction, m/s².</summary>
+    public readonly double SlipFriction(in SurfaceForces on) => (1.0 + (1.0 / World.Ball.InertiaFactor)) * SlidingFriction(in on);
+
     /// <summary>Returns the tangential part of ṅ × ω, rad/s²: if the normal turns, spin about it becomes slip.</summary>
     public static Vector3d SlipTurn(in SurfaceForces on, in Vector3d spin) => Vector3d.Dot(in spin, in on.Normal) * Vector3d.Cross(in on.Turning, in on.Normal);
 
@@ -372,7 +383,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d n = on.Normal;
 
         // Use ŝ, or the initial direction if the slip has reversed within a stage: friction can stop the slip but not reverse it.
-        Vector3d slip = SlipOf(in at, in on);
+        Vector3d slip = FollowsPush ? SlipPush(in on, in at.Spin) : SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);

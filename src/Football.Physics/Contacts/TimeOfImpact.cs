@@ -19,8 +19,14 @@ internal interface IGap
 /// </remarks>
 internal static class TimeOfImpact
 {
-    /// <summary>The second derivative of the gap to a concave surface is bounded only up to this gap, as a share of the radius.</summary>
-    public const double NearHollow = 0.1;
+    /// <summary>The largest <see cref="NearHollow"/>, and its largest share of the free distance to the centre of curvature.</summary>
+    private const double Nearest = 0.1;
+    private const double ShareOfRoom = 0.5;
+
+    /// <summary>Returns the gap up to which the second derivative of the gap to a concave surface is bounded, as a share of the radius.</summary>
+    /// <remarks>The bound, κ/(1 − κ d), has a pole at the centre of curvature, which is close to the centre of a ball that hardly fits.</remarks>
+    public static double NearHollow(double radius, double hollow) =>
+        Math.Min(Nearest, ShareOfRoom * ((1.0 / (radius * hollow)) - 1.0));
 
     /// <summary>Returns the time of the event; infinite if there is none.</summary>
     /// <param name="gap">The gap.</param>

@@ -1,3 +1,4 @@
+using System.ComponentModel;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
@@ -131,7 +132,7 @@ public sealed class Ball
     /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>
     /// <param name="happened">One of <see cref="Events"/>.</param>
     /// <returns>The name; null if the event has no object.</returns>
-    public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.ColliderIndex);
+    public string? NameOf(in BallEvent happened) => Simulator.NameOf(in happened);
 
     /// <summary>Kicks the ball with the result of an aiming search.</summary>
     /// <param name="kick">The kick.</param>
@@ -188,6 +189,13 @@ public sealed class Ball
         _log.Clear();
         Simulator.Step(ref _state, dt, _log);
     }
+
+    /// <summary>Does not compile: a whole number of seconds is almost always an integer division such as <c>1 / 60</c>, which is 0.</summary>
+    /// <param name="dt">The frame time, in s. Write <c>1.0 / 60</c> for a frame, and <c>1.0</c> for one second.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range.</exception>
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    [Obsolete("The frame time is a whole number. 1 / 60 is an integer division, which gives 0: write 1.0 / 60. For whole seconds, write 1.0; for milliseconds, divide by 1000.0.", error: true)]
+    public void Step(int dt) => Step((double)dt);
 
     /// <summary>Returns the state of a ball without motion: at rest if a surface supports it.</summary>
     internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0) =>

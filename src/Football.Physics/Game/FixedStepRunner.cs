@@ -213,6 +213,11 @@ public sealed partial class FixedStepRunner
     /// <summary>The events of the last <see cref="Advance"/> or <see cref="Step"/>, in order.</summary>
     public EventBuffer Events { get; } = new();
 
+    /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>
+    /// <param name="happened">One of <see cref="Events"/>.</param>
+    /// <returns>The name; null if the event has no object of the scene, as when a ball comes to rest or hits another ball.</returns>
+    public string? NameOf(in BallEvent happened) => Simulator.NameOf(in happened);
+
     /// <summary>The time dropped from the last frame, in s; 0 unless the frame was too long.</summary>
     public double DroppedTime => _clock.DroppedTime;
 

@@ -142,7 +142,7 @@ internal sealed class SceneText
             Object("heights", () =>
             {
                 Numbers("origin", heights.OriginX, heights.OriginZ).Number("spacing", heights.Spacing);
-                Raw("values", "[" + string.Join(",", heights.Rows.Select(row => "[" + string.Join(",", row.Select(Digits)) + "]")) + "]");
+                Raw(heights.HasNodes ? "nodes" : "values", "[" + string.Join(",", heights.Rows.Select(row => "[" + string.Join(",", row.Select(Digits)) + "]")) + "]");
             });
         }
     }

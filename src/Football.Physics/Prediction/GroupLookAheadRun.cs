@@ -18,7 +18,7 @@ public sealed class GroupLookAheadRun
 
     /// <summary>Creates a look-ahead in parts.</summary>
     /// <param name="group">The balls.</param>
-    /// <param name="capacity">The number of path segments that fit for each ball; at least 1, default 512. A ball whose path is full continues without it.</param>
+    /// <param name="capacity">The number of path segments that fit for each ball; at first; at least 1, default 512. A path grows if it needs more.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1, or the scene has engine colliders.</exception>
     public GroupLookAheadRun(BallGroup group, int capacity = 512)

@@ -6,7 +6,8 @@ namespace FootballPhysics.Prediction;
 /// <remarks>
 /// The finished path is bit-identical to that of <see cref="SimulatorExtensions.LookAhead(Simulator, in BallState, LookAheadRequest, Trajectory)"/>,
 /// for any number of steps per call. The run has its own copy of the ball and of the bodies' motions. Your game may therefore step and kick the ball and move
-/// bodies between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Calls do not allocate. Not thread-safe.
+/// bodies between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Calls do not
+/// allocate once the path is large enough. Not thread-safe.
 /// </remarks>
 public sealed class LookAheadRun
 {

@@ -7,7 +7,7 @@ namespace FootballPhysics.Prediction;
 internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : PathObserver
 {
     private readonly Trajectory _owner = owner;
-    private readonly PathSegment[] _pieces = pieces;
+    private PathSegment[] _pieces = pieces;
     private bool _untilPlane;
     private Plane3d _plane;
     private bool _untilPassing;
@@ -67,7 +67,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         }
 
         Close();
-        if (_owner.Count == _pieces.Length)
+        if (!HasRoom())
         {
             Overflows = true;
             return !GoesOn;
@@ -104,7 +104,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
             Close();
         }
 
-        if (_owner.Count == _pieces.Length)
+        if (!HasRoom())
         {
             Overflows = true;
             return !GoesOn;
@@ -114,10 +114,21 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         return IsFull();
     }
 
+    /// <summary>True if another segment fits.</summary>
+    private bool HasRoom()
+    {
+        if (_owner.Count == _pieces.Length)
+        {
+            _pieces = _owner.Room();
+        }
+
+        return _owner.Count < _pieces.Length;
+    }
+
     /// <summary>True if the last segment fills the buffer and the look-ahead is to end there.</summary>
     private bool IsFull()
     {
-        bool full = EndsWhenFull && _owner.Count == _pieces.Length;
+        bool full = EndsWhenFull && !HasRoom();
         _owner.IsComplete = !full;
         return full;
     }
@@ -149,7 +160,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
 
         // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
         // after every segment would restart the step each time, possibly forever.
-        if (_owner.Count == _pieces.Length)
+        if (!HasRoom())
         {
             Overflows = true;
             return !GoesOn;
@@ -164,7 +175,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
     /// <summary>Adds a segment for the time that the ball rested before a segment, because a ball at rest takes no pieces.</summary>
     private void AddRest(in PathSegment next)
     {
-        if (_owner.Count == _pieces.Length)
+        if (!HasRoom())
         {
             return;
         }

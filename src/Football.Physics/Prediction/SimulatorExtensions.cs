@@ -42,25 +42,13 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Predicts a path of any length: while the buffer is full, it repeats with one twice as large.</summary>
-    internal static void LookAheadWhole(this Simulator simulator, in BallState from, LookAheadRequest request, ref Trajectory into)
-    {
-        simulator.LookAhead(in from, request, into);
-        while (!into.IsComplete)
-        {
-            // Only a full buffer ends a path early; exceptions of custom forces pass through.
-            into = new Trajectory(2 * into.Pieces.Length);
-            simulator.LookAhead(in from, request, into);
-        }
-    }
-
     /// <summary>Predicts the paths of several balls, including their contacts with each other.</summary>
     /// <param name="group">The balls.</param>
     /// <param name="from">The states of the balls; unchanged.</param>
     /// <param name="request">The duration, and the event that ends it: the first impact of any ball, or the rest of all. A plane or a point is not
     /// supported.</param>
-    /// <param name="into">Receives the path and events of each ball. A path whose buffer is full stays incomplete; its ball continues without
-    /// it.</param>
+    /// <param name="into">Receives the path and events of each ball. If a buffer that you provided is full, its path stays incomplete, and
+    /// its ball continues without it.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The number of states or trajectories differs from the number of balls, the times of the states differ, or
     /// one was never launched.</exception>
@@ -211,7 +199,7 @@ public static class SimulatorExtensions
     /// <summary>Predicts in whole steps; the last step may end after the requested duration.</summary>
     internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
-        into.Begin(simulator, in from, request, endsWhenFull: true);
+        into.Begin(simulator, in from, request, endsWhenFull: false);
         simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
     }
 
@@ -226,18 +214,7 @@ public static class SimulatorExtensions
         {
             while (state.Time < end && !path.Log.Halted && !simulator.StaysAtRest(in state))
             {
-                // Save the state, so that the step can be undone if the buffer fills up within it.
-                BallState before = state;
-                StepLogMark mark = path.Log.Mark();
                 simulator.Advance(ref state, timeStep, path.Log);
-                if (!path.IsComplete && path.StartTime < before.Time)
-                {
-                    // The buffer filled up within this step: undo the step, so that the path can later continue from its start.
-                    path.Log.TakeBack(in mark);
-                    path.Break(in before);
-                    return;
-                }
-
                 path.OnStep?.Invoke(in state);
             }
         }

@@ -9,18 +9,18 @@ public sealed partial class Trajectory
     /// <summary>The factor from a position tolerance to a velocity tolerance, in 1/s; a larger deviation counts as a kick.</summary>
     private const double VelocityShare = 100;
 
-    private readonly PathSegment[] _pieces;
+    private readonly bool _grows;
     private readonly PathRecorder _recorder;
+    private PathSegment[] _pieces;
     private BallState _final;
     private Action<double>? _bodiesAt;
 
-    /// <summary>Creates a trajectory with its own buffer.</summary>
-    /// <param name="capacity">The number of segments that fit, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
+    /// <summary>Creates a trajectory with its own buffer, which grows if a path does not fit.</summary>
+    /// <remarks>A trajectory that has grown keeps its size, so that later look-aheads of this length do not allocate.</remarks>
+    /// <param name="capacity">The number of segments that fit at first, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
     public Trajectory(int capacity = 512)
-        : this(new PathSegment[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
-    {
-    }
+        : this(new PathSegment[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")]) => _grows = true;
 
     /// <summary>Creates a trajectory in a buffer that you provide.</summary>
     /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when the buffer is full, and <see cref="IsComplete"/> is then false.</param>
@@ -34,7 +34,7 @@ public sealed partial class Trajectory
             throw Check.Refusal("memory.Length", "0", "1 or more");
         }
 
-        _recorder = new PathRecorder(this, _pieces);
+        _recorder = new PathRecorder(this, memory);
         Log.Observer = _recorder;
     }
 
@@ -53,7 +53,7 @@ public sealed partial class Trajectory
     /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False if the buffer filled up, a custom force threw, or a <see cref="LookAheadRun"/> has not finished the path.</summary>
+    /// <summary>False if the buffer that you provided filled up, a custom force threw, or a <see cref="LookAheadRun"/> has not finished the path.</summary>
     public bool IsComplete { get; internal set; }
 
     /// <summary>The number of evaluations of the equations of motion.</summary>
@@ -142,6 +142,18 @@ public sealed partial class Trajectory
         // At a boundary, use the end of the earlier segment, because a body placed over the ball moves the ball between steps.
         bool isBetween = i > 0 && time == _pieces[i].Time && _pieces[i - 1].EndTime == time;
         return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
+    }
+
+    /// <summary>Returns the position of the ball at a time, if the path contains that time.</summary>
+    /// <remarks>Use it to tell the end of a path from a position: <see cref="PositionAt"/> returns the last position for all later times.</remarks>
+    /// <param name="time">The time since the launch, in s.</param>
+    /// <param name="position">The position, in m. Before the start, it is the first position; after the end, the last one.</param>
+    /// <returns>True from <see cref="StartTime"/> to <see cref="EndTime"/>; false before and after.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is NaN.</exception>
+    public bool TryPositionAt(double time, out Vector3d position)
+    {
+        position = PositionAt(time);
+        return time >= StartTime && time <= EndTime;
     }
 
     /// <summary>Returns the velocity of the ball at a time, in m/s; after the end, the final velocity.</summary>
@@ -233,11 +245,19 @@ public sealed partial class Trajectory
         _final = final;
     }
 
+    /// <summary>Returns the buffer, twice as large if it is full and is the trajectory's own.</summary>
+    internal PathSegment[] Room()
+    {
+        if (_grows && Count == _pieces.Length)
+        {
+            Array.Resize(ref _pieces, 2 * _pieces.Length);
+        }
+
+        return _pieces;
+    }
+
     /// <summary>Marks the path incomplete if a segment did not fit.</summary>
     internal void EndFull() => IsComplete &= !_recorder.Overflows;
-
-    /// <summary>True if the path ends with a whole step, rather than at an event or a full buffer within a step.</summary>
-    internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;
 
     /// <summary>True if a ball is on the path: no kick or hit has moved it away.</summary>
     /// <param name="ball">The ball.</param>

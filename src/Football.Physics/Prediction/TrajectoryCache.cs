@@ -17,7 +17,7 @@ public sealed class TrajectoryCache
     /// <param name="simulator">The scene, compiled for the integrator of the prediction.</param>
     /// <param name="request">The duration and step of the prediction.</param>
     /// <param name="tolerance">The maximum deviation of the ball from the path before it is recomputed, in m; not negative, default 1e-5.</param>
-    /// <param name="capacity">The number of path segments that fit; default 512.</param>
+    /// <param name="capacity">The number of path segments that fit at first; default 512. The path grows if it needs more.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     public TrajectoryCache(Simulator simulator, LookAheadRequest request, double tolerance = 1e-5, int capacity = 512)
@@ -45,7 +45,7 @@ public sealed class TrajectoryCache
     /// <summary>Updates the prediction to the current state of the ball.</summary>
     /// <param name="real">The current state of the ball.</param>
     /// <returns>True if the path was recomputed; false if it was kept and, if necessary, extended.</returns>
-    /// <remarks>Does not allocate. An exception from a custom force propagates; the path then ends before the failed step, and the next update
+    /// <remarks>Does not allocate once the path is large enough. An exception from a custom force propagates; the path then ends before the failed step, and the next update
     /// recomputes it.</remarks>
     /// <exception cref="ArgumentException"><paramref name="real"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The ball's clock is so large that the steps of the request would not advance it.</exception>
@@ -68,8 +68,8 @@ public sealed class TrajectoryCache
         // The ball follows the path: drop the part that the ball has passed, and extend the path by complete steps.
         Path.Forget(real.Time);
 
-        // A path that ended at an event, or within a step because the buffer was full, cannot be extended.
-        if (Path.EndsWhole)
+        // A path that ended at an event cannot be extended.
+        if (!Path.Log.Halted)
         {
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
         }
@@ -87,7 +87,7 @@ public sealed class TrajectoryCache
         _simulator.LookAheadInWholeSteps(in start, _request, Path);
 
         // Extend the path in parts, so that it fits into the memory that sufficed before.
-        for (double at = start.Time; at < time && Path.EndsWhole;)
+        for (double at = start.Time; at < time && !Path.Log.Halted;)
         {
             Path.Forget(at);
             at = Math.Min(time, at + (0.5 * _request.Duration));

@@ -13,6 +13,8 @@ public sealed class EngineCollider
     private readonly bool _hasShape;
     private readonly double _mass = double.PositiveInfinity;
     private int _layer;
+    private double _hollow;
+    private double _hollowRadius = double.NaN;
     private EnginePush _push = new() { At = double.NaN, IsAsPlaced = true };
 
     /// <summary>Creates a collider of a known shape; place it with <see cref="MoveTo"/>.</summary>
@@ -88,6 +90,19 @@ public sealed class EngineCollider
     internal IShape Shape { get; }
 
     internal Placement Placement { get; }
+
+    /// <summary>Returns the largest concave curvature of the shape for a ball, 1/m.</summary>
+    /// <param name="radius">The radius of the ball, m.</param>
+    internal double Hollow(double radius)
+    {
+        if (_hollowRadius != radius)
+        {
+            _hollow = HollowSamples.Corrected(Shape, radius);
+            _hollowRadius = radius;
+        }
+
+        return _hollow;
+    }
 
     /// <summary>Sets the position and motion of a collider of a known shape at <see cref="IEngineColliders.Time"/>.</summary>
     /// <param name="position">The position of the shape's origin, in m; components within ±1e6.</param>

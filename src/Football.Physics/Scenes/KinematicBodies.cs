@@ -347,7 +347,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         for (int i = 0; i < Count; i++)
         {
             string field = Check.Item("bodies", i);
-            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
+            HollowSamples.Validate(field, _bodies[i].Shape, ball.Radius);
             _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
     }

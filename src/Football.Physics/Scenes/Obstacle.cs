@@ -1,4 +1,5 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics;
 
@@ -40,8 +41,7 @@ public sealed record Obstacle
         _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
         _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
 
-        // The contact search requires hollows to curve at most half as much as the ball.
-        Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
+        HollowSamples.Validate(field, Shape, ball.Radius);
         Surface.Validate(field + ".surface", ball.MostDamping);
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
         Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");

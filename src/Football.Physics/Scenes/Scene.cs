@@ -195,8 +195,8 @@ public sealed record Scene
         // The ball must fit into every hollow: the slope is at most 1, the curvature at most half of the ball's own.
         if (Ground.Heights is { } heights)
         {
-            Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
-            Check.Within("ground.heights (its strongest curvature, 1/m)", heights.StrongestCurvature, 0, 0.5 / Ball.Radius);
+            Check.Within(heights.Steepest.Field("its steepest slope"), heights.Steepest.Value, 0, 1);
+            Check.Within(heights.Strongest.Field("its strongest curvature, 1/m"), heights.Strongest.Value, 0, 0.5 / Ball.Radius);
 
             // Heights are measured along the vertical, so the plane below them must be level.
             if (normal != Vector3d.Up)

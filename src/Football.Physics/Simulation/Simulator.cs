@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 using FootballPhysics.Simulation;
 using FootballPhysics.State;
 
@@ -56,6 +57,13 @@ public sealed class Simulator
 
     /// <summary>The integrator and solver settings.</summary>
     public SolverSettings Settings { get; }
+
+    /// <summary>The values of the scene that the simulator has replaced, a sentence for each; empty if there are none.</summary>
+    /// <remarks>
+    /// A shape of your own whose <see cref="IShape.MaximumConcaveCurvature"/> is too small gets the value that samples of its normals show. Each sentence names
+    /// the field, your value and the value used.
+    /// </remarks>
+    public IReadOnlyList<string> Warnings => HollowSamples.Warnings(Scene);
 
     /// <summary>The height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
@@ -124,6 +132,12 @@ public sealed class Simulator
     /// <param name="thing"><see cref="BallEvent.ColliderIndex"/> of an event; negative for none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The scene has no such index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
+
+    /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>
+    /// <param name="happened">An event of a ball in this scene.</param>
+    /// <returns>The name; null if the event has no object of the scene, as when the ball comes to rest or hits another ball.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The event is from another scene: this scene has no such object.</exception>
+    public string? NameOf(in BallEvent happened) => NameOf(happened.ColliderIndex);
 
     /// <summary>Throws if no ball in this scene can have this state.</summary>
     /// <remarks>Use it on states read from a file or passed through the C API. A call takes a few nanoseconds.</remarks>
@@ -216,8 +230,7 @@ public sealed class Simulator
     /// If drag would overshoot, a step is divided into nearly equal parts. Explicit Euler overshoots if |u| dt ½ρC_D A/m ≥ 1.
     /// For a beach ball at 200 m/s, a step of 20 ms is divided. The parts are counted in <see cref="StepLog.Steps"/>.
     /// If Euler or RK2 would increase a velocity that the Magnus force only turns, those parts are integrated with RK4 instead.
-    /// After 8,192 parts the step ends at the current position and is counted in <see cref="StepLog.StalledSteps"/>. No value is ever
-    /// clamped.
+    /// After 8,192 parts the step ends at the current position and is counted in <see cref="StepLog.StalledSteps"/>. No value is clamped.
     /// After an impact, a ball stays on the surface if it would return to it within a microsecond.
     /// </remarks>
     /// <param name="state">The ball.</param>
@@ -424,14 +437,7 @@ public sealed class Simulator
     /// Custom forces are included only by their type names.
     /// </remarks>
     /// <exception cref="InvalidOperationException">A custom wind field is not finite.</exception>
-    public ulong SceneHash
-    {
-        get
-        {
-            _sceneHash ??= Simulation.SceneHash.Of(Scene, Settings, _world, this);
-            return _sceneHash.Value;
-        }
-    }
+    public ulong SceneHash => _sceneHash ??= Simulation.SceneHash.Of(Scene, Settings, _world, this);
 
     /// <summary>Moves obstacles with a mass (<see cref="Obstacle.Mass"/>) back to their positions at time 0.</summary>
     public void ResetObstacles() => _world.Obstacles.Reset();

@@ -255,7 +255,7 @@ internal static class TurnLimit
     public static double Follow(double h, in Vector3d direction, double size, in Vector3d rate, double friction, out bool locks)
     {
         locks = false;
-        if (!(h * friction > Stiff * size))
+        if (!IsStiff(h, size, friction))
         {
             return h;
         }
@@ -265,6 +265,12 @@ internal static class TurnLimit
         locks = across * h <= Straight * (size + Math.Max(0, along * h));
         return locks ? h : Stiff * size / friction;
     }
+
+    /// <summary>True if the direction turns faster than the integrator can follow.</summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="size">Size of the slip or the roll, m/s.</param>
+    /// <param name="friction">The part of its rate due to friction, m/s².</param>
+    public static bool IsStiff(double h, double size, double friction) => h * friction > Stiff * size;
 
     /// <summary>True if a piece changes the slip or the roll little enough.</summary>
     /// <param name="size">Size at its start, m/s.</param>

@@ -168,6 +168,9 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.System.Direction = length > 0 ? moving / length : Vector3d.Zero;
         piece.System.LocksDirection = piece.Size < ContactTolerances.Rolling;
 
+        piece.System.FollowsPush = piece.System.LocksDirection && _world.SharesAir && SlowSlip.Follows(in piece.System, in piece.On, in piece.From);
+        piece.System.LocksDirection &= !piece.System.FollowsPush;
+
         // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
         piece.Length = LongestPiece(in s, in piece.From, in piece.On, ref run);
         piece.Start = piece.System.RatesUnder(in piece.On, s.Time, in piece.From);
@@ -224,7 +227,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double sliding = system.SlidingFriction(in piece.On);
         double most = rolls ? system.RollingFriction(in piece.On, piece.Size) : sliding;
         Vector3d rate = rolls ? piece.Start.Acceleration + (piece.On.Centripetal * piece.On.Normal) - piece.On.MaterialRate
-            : SlipRate(in piece.On, in piece.Start, in piece.From.Spin);
+            : system.SlipRate(in piece.On, in piece.Start, in piece.From.Spin);
 
         // Near the end of a slip, its direction turns ever faster: use the closed form there.
         SlideStop stop = default;
@@ -242,6 +245,13 @@ internal sealed class SurfacePhase<TIntegrator>
             system.Friction = turned;
             piece.Length = stop.Before > 0 ? Math.Min(piece.Length, stop.Before) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
             system.ShortestPart = ShortestPart * piece.Length;
+            return true;
+        }
+
+        if (TurnLimit.IsStiff(piece.Length, piece.Size, turned) && SlowSlip.Follows(in system, in piece.On, in piece.From))
+        {
+            system.FollowsPush = true;
+            piece.Start = system.RatesUnder(in piece.On, s.Time, in piece.From);
             return true;
         }
 
@@ -275,6 +285,7 @@ internal sealed class SurfacePhase<TIntegrator>
             SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         }
 
+        SlowSlip.EndPiece(ref sweep, in s);
         if (_jump.Acts)
         {
             // After a launch or an impact, the flow determined the branch: locate the crossing from that branch.
@@ -377,11 +388,6 @@ internal sealed class SurfacePhase<TIntegrator>
             _contact.StartRolling(ref s, ref run);
         }
     }
-
-    /// <summary>The rate of the slip: ṡ = v̇_t − A_t + r (ṅ × ω)_t + r n × ω̇.</summary>
-    private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates, in Vector3d spin) =>
-        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal)
-        + (_around.Radius * (Vector3d.Cross(on.Normal, in rates.SpinAcceleration) + SurfaceSystem.SlipTurn(in on, in spin))) - on.SurfaceRate;
 
     /// <summary>Returns the longest piece that stability, nets, borders and the turning normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)

@@ -33,15 +33,15 @@ internal readonly struct ZoneSearch
     /// <param name="path">The path.</param>
     /// <param name="zone">Index of the zone.</param>
     /// <param name="shape">Its shape.</param>
+    /// <param name="hollow">Its strongest concave curvature, 1/m.</param>
     /// <param name="level">Distance of the centre at which the ball is in the zone, m.</param>
-    public ZoneSearch(StepLog log, in ZonePath path, int zone, IShape shape, double level)
+    public ZoneSearch(StepLog log, in ZonePath path, int zone, IShape shape, double hollow, double level)
     {
         _log = log;
         _zone = zone;
         _border = new Border(in path, shape, level);
 
         // A concave curvature κ bends the distance by κ/(1 − κ d); this is valid for κ d ≤ ¾. Farther out, use only the speed to bound the distance.
-        double hollow = shape.MaximumConcaveCurvature;
         _speed = path.FastestSpeed;
         _bend = path.GreatestAcceleration + (4.0 * hollow * _speed * _speed);
         _near = hollow > 0 ? 0.5 * ((1.0 / hollow) - level) : double.PositiveInfinity;

@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Simulation;
 
 /// <summary>The zones of a scene, checked against each piece of the path.</summary>
@@ -16,6 +18,7 @@ internal sealed class ZoneWatch
     private readonly Zone[] _zones;
     private readonly Bounds3d[] _bounds;
     private readonly double[] _levels;
+    private readonly double[] _hollows;
     private readonly int[] _things;
     private readonly Bounds3d _all;
 
@@ -24,6 +27,7 @@ internal sealed class ZoneWatch
         _zones = zones;
         _things = things;
         _levels = Array.ConvertAll(zones, zone => zone.LevelOf(radius));
+        _hollows = Array.ConvertAll(zones, zone => HollowSamples.Corrected(zone.Shape, zone.LevelOf(radius)));
         _bounds = new Bounds3d[zones.Length];
         _all = Bounds3d.Nowhere;
         for (int i = 0; i < zones.Length; i++)
@@ -134,7 +138,7 @@ internal sealed class ZoneWatch
         {
             if (IsNear(i, path.Bounds))
             {
-                new ZoneSearch(log, in path, i, _zones[i].Shape, _levels[i]).Run();
+                new ZoneSearch(log, in path, i, _zones[i].Shape, _hollows[i], _levels[i]).Run();
             }
         }
     }

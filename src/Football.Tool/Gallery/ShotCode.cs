@@ -33,9 +33,9 @@ internal static class ShotCode
             {{place}}ball.Kick(velocity: {{Of(scenario.Velocity)}}, spin: {{Of(scenario.Spin)}});
             while (ball.Motion != MotionState.Rest)
             {
-                ball.Step({{Of(scenario.TimeStep)}});
+                ball.Step({{Step(scenario.TimeStep)}});
                 foreach (BallEvent happened in ball.Events)
-                    Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} at {happened.Position:F6}");
+                    Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.NameOf(happened)} at {happened.Position:F6}");
             }
 
             """;
@@ -56,9 +56,9 @@ internal static class ShotCode
         while (ball.Motion != MotionState.Rest)
         {
             keeper.Follow(ball.State);
-            ball.Step({{Of(scenario.TimeStep)}});
+            ball.Step({{Step(scenario.TimeStep)}});
             foreach (BallEvent happened in ball.Events)
-                Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} at {happened.Position:F6}");
+                Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.NameOf(happened)} at {happened.Position:F6}");
         }
 
         """;
@@ -194,6 +194,9 @@ internal static class ShotCode
     }
 
     private static string Of(double number) => FormattableString.Invariant($"{number + 0.0:R}");
+
+    /// <summary>Returns a frame time as a double: <see cref="Ball.Step(double)"/> takes no whole numbers.</summary>
+    private static string Step(double time) => Of(time) is var text && text.All(char.IsDigit) ? text + ".0" : text;
 
     private static string Of(Vector3d v) => $"new Vector3d({Of(v.X)}, {Of(v.Y)}, {Of(v.Z)})";
 }

@@ -31,7 +31,7 @@ internal static class InterceptRun
         var request = new LookAheadRequest { Duration = shot.Duration, TimeStep = shot.TimeStep, StopAt = shot.StopAt };
         for (int pieces = Pieces; pieces <= MostPieces; pieces *= 4)
         {
-            var path = new Trajectory(pieces);
+            var path = new Trajectory(new PathSegment[pieces]);
             simulator.LookAhead(in state, request, path);
             if (path.IsComplete)
             {

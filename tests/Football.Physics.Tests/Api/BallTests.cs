@@ -41,7 +41,7 @@ public sealed class BallTests
         ball.Simulator.LookAhead(ball.State, new LookAheadRequest { Duration = 1 }, same);
         Assert.Equal(same.Final, path.Final);
         Assert.True(path.EndTime > 0.9);
-        ball.Step(1);
+        ball.Step(1.0);
         BallEvent hit = Assert.Single(ball.Events.Span.ToArray(), happened => happened.ColliderIndex == 1);
         Assert.Equal("wall", ball.NameOf(hit));
         Assert.Null(ball.NameOf(new BallEvent(BallEventKind.Rest, -1, default, 0, default, default, default, default, default)));
@@ -135,7 +135,7 @@ public sealed class BallTests
     {
         var ball = new Ball();
         ball.Kick(20, s_goalwards, 5, 5);
-        ball.Step(3);
+        ball.Step(3.0);
         Assert.NotEqual(0, ball.Events.Count);
         ball.Place(new Vector3(1, 4, 2));
         Assert.Equal(0, ball.Time);
@@ -175,7 +175,7 @@ public sealed class BallTests
         foreach (Ball ball in new[] { Flying(), Sliding() })
         {
             BallState before = ball.State;
-            ball.Step(0);
+            ball.Step(0.0);
             Assert.Equal(before, ball.State);
             Assert.Equal(0, ball.Events.Count);
         }
@@ -217,7 +217,7 @@ public sealed class BallTests
     {
         Ball hitch = Flying();
         Ball smooth = Flying();
-        hitch.Step(5);
+        hitch.Step(5.0);
         var kinds = new List<BallEventKind>();
         for (int i = 0; i < 500; i++)
         {

@@ -59,13 +59,18 @@ public sealed class SceneTextTests
         Assert.Equal(3, Members("obstacles")[0].GetProperty("layer").GetInt32());
     }
 
-    [Fact]
-    public void Hills_have_the_rows_of_their_heights()
+    [Theory]
+    [InlineData("nodes", "values")]
+    [InlineData("values", "nodes")]
+    public void Hills_have_the_rows_of_their_heights(string member, string other)
     {
-        double[,] heights = { { 0, 0.1, 0.2 }, { 0.3, 0.4, 0.5 } };
-        Scene scene = Scene.Default with { Ground = new Ground { Heights = new HeightField(-1, -2, 10, heights) } };
-        JsonElement values = Parsed(new SceneText().Begin().Add(new Simulator(scene)).End().ToString()).GetProperty("scene").GetProperty("ground").GetProperty("heights").GetProperty("values");
-        Assert.Equal([[0, 0.1, 0.2], [0.3, 0.4, 0.5]], values.EnumerateArray().Select(row => row.EnumerateArray().Select(value => value.GetDouble()).ToArray()));
+        double[,] given = { { 0, 0.1, 0.2 }, { 0.3, 0.4, 0.5 } };
+        HeightField hills = member == "nodes" ? new HeightField(-1, -2, 10, given) : HeightField.FromControlValues(-1, -2, 10, given);
+        Scene scene = Scene.Default with { Ground = new Ground { Heights = hills } };
+        JsonElement heights = Parsed(new SceneText().Begin().Add(new Simulator(scene)).End().ToString()).GetProperty("scene").GetProperty("ground").GetProperty("heights");
+        Assert.Equal([-1, -2], heights.GetProperty("origin").EnumerateArray().Select(value => value.GetDouble()));
+        Assert.Equal([[0, 0.1, 0.2], [0.3, 0.4, 0.5]], heights.GetProperty(member).EnumerateArray().Select(row => row.EnumerateArray().Select(value => value.GetDouble()).ToArray()));
+        Assert.False(heights.TryGetProperty(other, out _));
     }
 
     [Fact]

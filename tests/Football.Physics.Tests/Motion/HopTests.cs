@@ -52,7 +52,7 @@ public sealed class HopTests
                             heights[i / 9, i % 9] = 1 + (0.2 * Math.Sin(1 + i));
                         }
 
-                        scene = scene with { Ground = Ground.Of(material) with { Heights = new HeightField(-40, -40, 10, heights) } };
+                        scene = scene with { Ground = Ground.Of(material) with { Heights = HeightField.FromControlValues(-40, -40, 10, heights) } };
                         break;
                 }
 

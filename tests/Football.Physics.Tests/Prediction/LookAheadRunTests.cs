@@ -341,7 +341,7 @@ public sealed class LookAheadRunTests
             };
             Simulator = new Simulator(scene);
             Kick = Simulator.Launch(new Vector3d(0.2, 0.5, 0), velocity, new Vector3d(5, 20, 3));
-            Path = new Trajectory(name == "full" ? 11 : 2048);
+            Path = name == "full" ? new Trajectory(new PathSegment[11]) : new Trajectory();
         }
 
         public Simulator Simulator { get; }

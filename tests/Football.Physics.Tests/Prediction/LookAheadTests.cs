@@ -219,6 +219,25 @@ public sealed class LookAheadTests
         Assert.True(small.IsComplete);
     }
 
+    /// <summary>A trajectory with its own buffer grows, with the path of a larger one to the bit, and then keeps its size.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(7)]
+    [InlineData(300)]
+    public void One_that_is_too_small_grows_and_keeps_its_size(int capacity)
+    {
+        BallState ball = s_simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(22, 7, 0), default);
+        var request = new LookAheadRequest { TimeStep = 0.005 };
+        var grown = new Trajectory(capacity);
+        var large = new Trajectory(8192);
+        s_simulator.LookAhead(in ball, request, grown);
+        s_simulator.LookAhead(in ball, request, large);
+        Assert.True(grown.IsComplete && grown.Pieces.Length > 1000);
+        Assert.Equal(large.Pieces.ToArray(), grown.Pieces.ToArray());
+        Assert.Equal(large.Evaluations, grown.Evaluations);
+        Assert.Equal(0, Allocation.Of(() => s_simulator.LookAhead(in ball, request, grown)));
+    }
+
     [Fact]
     public void It_allocates_nothing()
     {

@@ -139,11 +139,11 @@ public sealed class PassingTests
         var request = new LookAheadRequest { StopAt = StopAt.Rest, Duration = 60 };
         var path = new Trajectory(4096);
         simulator.LookAhead(in ball, request, path);
-        var exact = new Trajectory(path.Pieces.Length);
+        var exact = new Trajectory(new PathSegment[path.Pieces.Length]);
         simulator.LookAhead(in ball, request, exact);
         Assert.True(exact.IsComplete && exact.TryGetRest(out _));
         Assert.Equal(path.Events.Count, exact.Events.Count);
-        var small = new Trajectory(path.Pieces.Length - 1);
+        var small = new Trajectory(new PathSegment[path.Pieces.Length - 1]);
         simulator.LookAhead(in ball, request, small);
         Assert.False(small.IsComplete);
         Assert.Equal(small.Pieces.Length, path.Pieces.Length - 1);

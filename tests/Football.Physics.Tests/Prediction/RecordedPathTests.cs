@@ -84,7 +84,7 @@ public sealed class RecordedPathTests
     {
         var simulator = new Simulator(Scene.Measured);
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, 5, -9), new Vector3d(0, 20, 0));
-        var path = new Trajectory(9);
+        var path = new Trajectory(new PathSegment[9]);
         simulator.LookAhead(in ball, new LookAheadRequest(), path);
         Assert.Equal(9, path.Pieces.Length);
         for (int i = 1; i < 9; i++)

@@ -17,7 +17,7 @@ public sealed class FullPathTests
             simulator.Launch(new Vector3d(0, 0.11, -4), new Vector3d(6, 2, 9), Vector3d.Zero),
         ];
         var request = new LookAheadRequest { TimeStep = 1 / 60.0, Duration = 3, StopAt = StopAt.Time };
-        Trajectory[] full = [new Trajectory(capacity), new Trajectory(capacity)];
+        Trajectory[] full = [new Trajectory(new PathSegment[capacity]), new Trajectory(new PathSegment[capacity])];
         Trajectory[] whole = [new Trajectory(4096), new Trajectory(4096)];
         group.LookAhead(from, request, full);
         group.LookAhead(from, request, whole);

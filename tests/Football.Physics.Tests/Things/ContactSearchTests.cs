@@ -188,7 +188,7 @@ public sealed class ContactSearchTests
                 }
             }
 
-            ground = ground with { Heights = new HeightField(-3, -3, 0.55, heights) };
+            ground = ground with { Heights = HeightField.FromControlValues(-3, -3, 0.55, heights) };
         }
 
         bool moves = kind == "moving";

@@ -119,7 +119,7 @@ public sealed class HoldOntoTests
             int highest = Array.IndexOf(heights, heights.Max());
             for (int carrier = 0; carrier < 4; carrier++)
             {
-                Assert.Equal(highest, Flush.CarrierAt(world, carrier, new Vector3d(0.3, Radius + 6e-11, 0.1), 0));
+                Assert.Equal(highest, Flush.CarrierAt(world, carrier, new Vector3d(0.3, Radius + 6e-11, 0.1), Vector3d.Zero, 0));
             }
         }
     }

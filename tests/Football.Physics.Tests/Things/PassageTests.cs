@@ -149,12 +149,12 @@ public sealed class PassageTests
         ball.Simulator = new Simulator(s_scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf), Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(9, 1, 0), 0.1) }] });
         Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.Equal("roof net", ball.Simulator.NameOf((int)ball.State.Carrier));
-        ball.Step(1);
+        ball.Step(1.0);
         Assert.Equal(state.Position, ball.Position);
 
         // Without the net it falls.
         ball.Simulator = new Simulator();
-        ball.Step(2);
+        ball.Step(2.0);
         Assert.True(ball.Position.Y < 1);
     }
 

@@ -19,7 +19,7 @@ public sealed class RaisedTests
             }
         }
 
-        return new HeightField(-20, -20, 1, heights);
+        return HeightField.FromControlValues(-20, -20, 1, heights);
     }
 
     [Theory]
@@ -158,7 +158,7 @@ public sealed class RaisedTests
             }
         }
 
-        var ball = new Ball(new Scene { Ground = new Ground { Heights = new HeightField(-10, -10, 1, heights) } });
+        var ball = new Ball(new Scene { Ground = new Ground { Heights = HeightField.FromControlValues(-10, -10, 1, heights) } });
         Assert.Equal((MotionState.Rest, 0.0, 0.0), (ball.Motion, ball.Position.X, ball.Position.Z));
         Assert.InRange(ball.Position.Y, -1.9, -1.5);
 

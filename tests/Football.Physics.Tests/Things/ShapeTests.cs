@@ -75,9 +75,9 @@ public sealed class ShapeTests
             }
         }
 
-        var field = new HeightField(0, 0, 1, values);
+        var field = HeightField.FromControlValues(0, 0, 1, values);
         Assert.Equal(0.35, field.HeightAt(3.5, 4.2), 1e-14);
-        Assert.Equal(0.1, field.SteepestSlope, 1e-12);
+        Assert.Equal(0.1, field.Steepest.Value, 1e-12);
         Assert.Equal(0.7, field.HeightAt(50, 4), 1e-14);
     }
 
@@ -88,7 +88,7 @@ public sealed class ShapeTests
         Assert.Contains("halfSize[1] is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new BoxShape(Vector3d.Zero, new Vector3d(1, 0, 1))).Message, StringComparison.Ordinal);
         Assert.Contains("normal is (0, 0, 0)", Assert.Throws<ArgumentOutOfRangeException>(() => new PlaneShape(Vector3d.Zero, Vector3d.Zero)).Message, StringComparison.Ordinal);
         Assert.Contains("radius is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new SphereShape(Vector3d.Zero, 0)).Message, StringComparison.Ordinal);
-        var steep = profile.Scene() with { Ground = profile.Ground() with { Heights = new HeightField(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
+        var steep = profile.Scene() with { Ground = profile.Ground() with { Heights = HeightField.FromControlValues(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
         Assert.Contains("ground.heights", Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(steep)).Message, StringComparison.Ordinal);
     }
 
@@ -98,6 +98,6 @@ public sealed class ShapeTests
         "sphere" => new SphereShape(new Vector3d(5, 0.5, 5), 0.6),
         "capsule" => new CapsuleShape(new Vector3d(4, 0, 4), new Vector3d(6, 1, 5.5), 0.2),
         "box" => new BoxShape(new Vector3d(5, 0.5, 5), new Vector3d(0.6, 0.3, 0.4), Quaterniond.FromAxisAngle(new Vector3d(0, 1, 0), 0.7)),
-        _ => new HeightField(0, 0, 2, s_hills),
+        _ => HeightField.FromControlValues(0, 0, 2, s_hills),
     };
 }

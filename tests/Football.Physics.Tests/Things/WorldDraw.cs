@@ -63,7 +63,7 @@ internal sealed class WorldDraw
                     values[i / 12, i % 12] = Range(0, 0.5);
                 }
 
-                return flat with { Heights = new HeightField(-11, -11, 2, values) };
+                return flat with { Heights = HeightField.FromControlValues(-11, -11, 2, values) };
         }
     }
 

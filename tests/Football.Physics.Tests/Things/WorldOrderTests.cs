@@ -19,7 +19,7 @@ public sealed class WorldOrderTests
 
     private static Scene Bowl(Profile profile) => profile.Scene() with
     {
-        Ground = profile.Ground() with { Heights = new HeightField(-10, -10, 5, new double[,] { { 2, 1.5, 1, 1.5, 2 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 1, 0.3, 0, 0.3, 1 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 2, 1.5, 1, 1.5, 2 } }) },
+        Ground = profile.Ground() with { Heights = HeightField.FromControlValues(-10, -10, 5, new double[,] { { 2, 1.5, 1, 1.5, 2 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 1, 0.3, 0, 0.3, 1 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 2, 1.5, 1, 1.5, 2 } }) },
         Forces = profile.SmoothForces(),
     };
 

@@ -109,7 +109,7 @@ public sealed class ZonePathTests
             ZonePath path = Draw(random, 5, draw % 3 == 0 ? 6 : 1, out _, out _, out _, out _);
             const double Level = 0.05;
             var log = new StepLog();
-            new ZoneSearch(log, in path, 0, shape, Level).Run();
+            new ZoneSearch(log, in path, 0, shape, shape.MaximumConcaveCurvature, Level).Run();
             ZoneCrossing[] found = log.TakeCrossings().ToArray();
             var sampled = new List<double>();
             bool before = shape.At(path.At(0)).Distance <= Level;

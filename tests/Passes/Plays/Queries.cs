@@ -25,7 +25,7 @@ internal static class Queries
         foreach (Scene scene in scenes)
         {
             var simulator = new Simulator(scene);
-            var path = new Trajectory(draw.Any(16, 512));
+            var path = new Trajectory(new PathSegment[draw.Any(16, 512)]);
             var run = new LookAheadRun(simulator);
             var cache = new TrajectoryCache(simulator, new LookAheadRequest { Duration = 4 });
             for (int i = 0; i < 12; i++)

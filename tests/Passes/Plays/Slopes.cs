@@ -51,7 +51,7 @@ internal static class Slopes
             }
         }
 
-        return new HeightField(-20, -20, 1, values);
+        return HeightField.FromControlValues(-20, -20, 1, values);
     }
 
     private static void Kicks(Draw draw, Simulator simulator, int count)

@@ -1,9 +1,10 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Shapes;
 
 /// <summary>A box in any orientation: a board, a dummy, a wall of players.</summary>
-public sealed class BoxShape : IShape
+public sealed class BoxShape : IShape, IExactHollow
 {
     private readonly Vector3d _x;
     private readonly Vector3d _y;

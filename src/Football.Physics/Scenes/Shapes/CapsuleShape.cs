@@ -1,9 +1,10 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Shapes;
 
 /// <summary>A capsule, a segment with a radius: a post, a crossbar, a leg, an arm.</summary>
-public sealed class CapsuleShape : IShape
+public sealed class CapsuleShape : IShape, IExactHollow
 {
     private readonly Vector3d _axis;
     private readonly Vector3d _middle;

@@ -1,14 +1,17 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Shapes;
 
-/// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights.</summary>
+/// <summary>Uneven ground: a smooth surface through the heights at the nodes of a grid.</summary>
 /// <remarks>
-/// Beyond the grid, the values at the border are repeated. Let u, w be the fractional parts of ((x − x₀)/δ, (z − z₀)/δ), and i, j their floors. Then y = Σ
-/// b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6.
-/// <para>A ball can rest on it if its slope is at most 1 and its curvature at most 1/(2r).</para>
+/// The surface is a uniform cubic B-spline. Let u, w be the fractional parts of ((x − x₀)/δ, (z − z₀)/δ), and i, j their floors. Then y = Σ b_k(u) b_l(w)
+/// c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6. The constructor takes heights, and solves for the control values c.
+/// <see cref="FromControlValues"/> takes the control values.
+/// <para>A ball can rest on it if its slope is at most 1 and its curvature at most 1/(2r). Between nodes, the surface can be steeper, higher or lower
+/// than at the nodes.</para>
 /// </remarks>
-public sealed class HeightField : IShape
+public sealed class HeightField : IShape, IExactHollow
 {
     /// <summary>The samples per cell and direction in the search for the steepest slope and the strongest curvature.</summary>
     private const int SamplesOfCell = 4;
@@ -21,54 +24,89 @@ public sealed class HeightField : IShape
     /// <summary>The distance up to which the nearest point is computed, relative to the radius of curvature.</summary>
     private const double NearBy = 0.8;
 
+    /// <summary>The heights at the nodes; null if control values were given.</summary>
+    private readonly double[,]? _nodes;
+
     private readonly double[] _values;
     private readonly int _rows;
     private readonly int _columns;
     private readonly double _highest;
 
-    /// <summary>Creates uneven ground.</summary>
-    /// <param name="originX">The x coordinate of the first value, in m; within ±1e6.</param>
-    /// <param name="originZ">The z coordinate of the first value, in m; within ±1e6.</param>
-    /// <param name="spacing">The distance δ between neighbours, in m; above 0, at most 1e6.</param>
-    /// <param name="values">The heights c[i][j], in m, with i along x and j along z; at least one, each within ±1e6. They are copied.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="values"/> is null.</exception>
+    /// <summary>The x coordinate of the first control value, in m.</summary>
+    private readonly double _firstX;
+
+    /// <summary>The z coordinate of the first control value, in m.</summary>
+    private readonly double _firstZ;
+
+    /// <summary>Creates uneven ground that passes through the given heights.</summary>
+    /// <remarks>
+    /// A plane stays a plane within the grid: at the border, the second derivative is zero (a natural spline). Beyond the border, the surface becomes level
+    /// within two spacings.
+    /// <para>Between nodes, the surface can overshoot: by 14 % of the height of a single raised node, below its neighbours, and by 11 % of a step between
+    /// two levels. In the worst case, it leaves the range of the heights by 70 % of that range. The overshoot is small if the heights change smoothly from
+    /// node to node. In JSON, these are the <c>nodes</c> of <c>heights</c>.</para>
+    /// </remarks>
+    /// <param name="originX">The x coordinate of the first node, in m; within ±1e6.</param>
+    /// <param name="originZ">The z coordinate of the first node, in m; within ±1e6.</param>
+    /// <param name="spacing">The distance δ between neighbouring nodes, in m; above 0, at most 1e6.</param>
+    /// <param name="heights">The heights at the nodes (x₀ + iδ, z₀ + jδ), in m, as heights[i, j]; at least one, each within ±1e6. They are copied.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="heights"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
-    public HeightField(double originX, double originZ, double spacing, double[,] values)
+    public HeightField(double originX, double originZ, double spacing, double[,] heights)
+        : this(originX, originZ, spacing, heights, nameof(heights), areNodes: true)
     {
-        if (values is null)
+    }
+
+    /// <param name="originX">The x coordinate of the first entry, in m.</param>
+    /// <param name="originZ">The z coordinate of the first entry, in m.</param>
+    /// <param name="spacing">The distance δ between neighbours, in m.</param>
+    /// <param name="table">The heights at the nodes, or the control values.</param>
+    /// <param name="field">The name of the table in messages.</param>
+    /// <param name="areNodes">True if the surface passes through the entries; false if they are control values.</param>
+    internal HeightField(double originX, double originZ, double spacing, double[,] table, string field, bool areNodes)
+    {
+        if (table is null)
         {
-            throw new ArgumentNullException(nameof(values));
+            throw new ArgumentNullException(field);
         }
 
         Check.Within("origin[0]", originX, -Limits.Length, Limits.Length);
         Check.Within("origin[1]", originZ, -Limits.Length, Limits.Length);
         Check.Within("spacing", spacing, 0, Limits.Length, exclusiveLow: true);
-        _rows = values.GetLength(0);
-        _columns = values.GetLength(1);
-        if (_rows < 1 || _columns < 1)
+        int rows = table.GetLength(0);
+        int columns = table.GetLength(1);
+        if (rows < 1 || columns < 1)
         {
-            throw Check.Refusal("values", $"{_rows} × {_columns}", "at least 1 × 1 heights");
+            throw Check.Refusal(field, $"{rows} × {columns}", "at least 1 × 1 heights");
+        }
+
+        for (int i = 0; i < rows; i++)
+        {
+            for (int j = 0; j < columns; j++)
+            {
+                Check.Within($"{field}[{i}][{j}]", table[i, j], -Limits.Length, Limits.Length);
+            }
         }
 
         OriginX = originX;
         OriginZ = originZ;
         Spacing = spacing;
 
-        // Copy the values, so that later changes to the array do not move the ground under a ball.
-        _values = new double[_rows * _columns];
-        _highest = double.NegativeInfinity;
-        for (int i = 0; i < _rows; i++)
+        // Copy the table, so that later changes to the array do not move the ground under a ball. The control values of nodes extend one spacing beyond them.
+        _nodes = areNodes ? (double[,])table.Clone() : null;
+        _values = areNodes ? SplineNodes.ControlValues(table) : new double[table.Length];
+        if (!areNodes)
         {
-            for (int j = 0; j < _columns; j++)
-            {
-                double value = values[i, j];
-                Check.Within($"values[{i}][{j}]", value, -Limits.Length, Limits.Length);
-                _values[(i * _columns) + j] = value;
-                _highest = Math.Max(_highest, value);
-            }
+            Buffer.BlockCopy(table, 0, _values, 0, table.Length * sizeof(double));
         }
 
-        (SteepestSlope, StrongestCurvature) = Extremes();
+        int beyond = areNodes ? 1 : 0;
+        _rows = rows + (2 * beyond);
+        _columns = columns + (2 * beyond);
+        _firstX = originX - (beyond * spacing);
+        _firstZ = originZ - (beyond * spacing);
+        _highest = _values.Max();
+        (Steepest, Strongest) = Extremes();
     }
 
     private HeightField(HeightField other, double by)
@@ -76,34 +114,56 @@ public sealed class HeightField : IShape
         OriginX = other.OriginX;
         OriginZ = other.OriginZ;
         Spacing = other.Spacing;
-        SteepestSlope = other.SteepestSlope;
-        StrongestCurvature = other.StrongestCurvature;
+        Steepest = other.Steepest;
+        Strongest = other.Strongest;
         _rows = other._rows;
         _columns = other._columns;
+        _firstX = other._firstX;
+        _firstZ = other._firstZ;
         _highest = other._highest + by;
         _values = [.. other._values.Select(value => value + by)];
     }
 
-    /// <summary>The x coordinate of the first value, in m.</summary>
+    /// <summary>Creates uneven ground from the control values of the spline.</summary>
+    /// <remarks>
+    /// The surface is smoother than the control values and does not pass through them: a single value of 1 m gives 0.444 m at its position. It never leaves
+    /// their range. Beyond the grid, the values at the border are repeated. In JSON, these are the <c>values</c> of <c>heights</c>.
+    /// </remarks>
+    /// <param name="originX">The x coordinate of the first value, in m; within ±1e6.</param>
+    /// <param name="originZ">The z coordinate of the first value, in m; within ±1e6.</param>
+    /// <param name="spacing">The distance δ between neighbours, in m; above 0, at most 1e6.</param>
+    /// <param name="values">The control values c[i, j], in m, with i along x and j along z; at least one, each within ±1e6. They are copied.</param>
+    /// <returns>The ground.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="values"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    public static HeightField FromControlValues(double originX, double originZ, double spacing, double[,] values) =>
+        new(originX, originZ, spacing, values, nameof(values), areNodes: false);
+
+    /// <summary>The x coordinate of the first node or control value, in m.</summary>
     internal double OriginX { get; }
 
-    /// <summary>The z coordinate of the first value, in m.</summary>
+    /// <summary>The z coordinate of the first node or control value, in m.</summary>
     internal double OriginZ { get; }
 
     /// <summary>The distance δ between neighbours, in m.</summary>
     public double Spacing { get; }
 
     /// <summary>The steepest slope, from samples in every cell.</summary>
-    internal double SteepestSlope { get; }
+    internal Extreme Steepest { get; }
 
     /// <summary>The strongest curvature, from samples in every cell, in 1/m.</summary>
-    internal double StrongestCurvature { get; }
+    internal Extreme Strongest { get; }
 
-    /// <summary>The heights passed to the constructor, row by row.</summary>
-    internal IEnumerable<IEnumerable<double>> Rows => Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
+    /// <summary>True if the surface passes through the given heights; false if control values were given.</summary>
+    internal bool HasNodes => _nodes is not null;
+
+    /// <summary>The heights at the nodes or the control values, as given, row by row.</summary>
+    internal IEnumerable<IEnumerable<double>> Rows => _nodes is { } nodes
+        ? Enumerable.Range(0, nodes.GetLength(0)).Select(i => Enumerable.Range(0, nodes.GetLength(1)).Select(j => nodes[i, j]))
+        : Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
 
     /// <inheritdoc/>
-    double IShape.MaximumConcaveCurvature => StrongestCurvature;
+    double IShape.MaximumConcaveCurvature => Strongest.Value;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => new(
@@ -132,11 +192,11 @@ public sealed class HeightField : IShape
         // Start from the point vertically below.
         Patch patch = Sample(x, z);
         double above = point.Y - patch.Height;
-        if (Math.Abs(above) * StrongestCurvature > NearBy)
+        if (Math.Abs(above) * Strongest.Value > NearBy)
         {
             // The lower bound is the vertical distance divided by √(1 + slope²).
             Vector3d up = patch.Normal;
-            return new ShapePoint(above / Math.Sqrt(1.0 + (SteepestSlope * SteepestSlope)), in up, SymmetricMatrix3d.Zero);
+            return new ShapePoint(above / Math.Sqrt(1.0 + (Steepest.Value * Steepest.Value)), in up, SymmetricMatrix3d.Zero);
         }
 
         // Apply Newton's method to find the nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0.
@@ -168,19 +228,22 @@ public sealed class HeightField : IShape
         return new ShapePoint(distance, in normal, patch.CurvatureAt(distance));
     }
 
-    private (double Slope, double Curvature) Extremes()
+    private (Extreme Slope, Extreme Curvature) Extremes()
     {
-        double slope = 0;
-        double curvature = 0;
+        Extreme slope = default;
+        Extreme curvature = default;
 
         // Include the cells beyond the border, because the surface still curves there.
         for (int i = -SamplesOfCell; i <= (_rows + 1) * SamplesOfCell; i++)
         {
             for (int j = -SamplesOfCell; j <= (_columns + 1) * SamplesOfCell; j++)
             {
-                Patch patch = Sample(OriginX + (i * Spacing / SamplesOfCell), OriginZ + (j * Spacing / SamplesOfCell));
-                slope = Math.Max(slope, Math.Sqrt((patch.SlopeX * patch.SlopeX) + (patch.SlopeZ * patch.SlopeZ)));
-                curvature = Math.Max(curvature, patch.StrongestCurvature);
+                double x = _firstX + (i * Spacing / SamplesOfCell);
+                double z = _firstZ + (j * Spacing / SamplesOfCell);
+                Patch patch = Sample(x, z);
+                bool isBetween = HasNodes && (i % SamplesOfCell != 0 || j % SamplesOfCell != 0);
+                slope = slope.Or(Math.Sqrt((patch.SlopeX * patch.SlopeX) + (patch.SlopeZ * patch.SlopeZ)), x, z, isBetween);
+                curvature = curvature.Or(patch.StrongestCurvature, x, z, isBetween);
             }
         }
 
@@ -190,8 +253,8 @@ public sealed class HeightField : IShape
     /// <summary>Returns the height and its derivatives at a point.</summary>
     private Patch Sample(double x, double z)
     {
-        double u = (x - OriginX) / Spacing;
-        double w = (z - OriginZ) / Spacing;
+        double u = (x - _firstX) / Spacing;
+        double w = (z - _firstZ) / Spacing;
 
         // The cell index, and the position within the cell.
         double floorU = Math.Floor(u);
@@ -348,5 +411,26 @@ public sealed class HeightField : IShape
             double yy = (yx * SlopeX) + (yz * SlopeZ);
             return new SymmetricMatrix3d(cxx, yx, cxz, yy, yz, czz);
         }
+    }
+
+    /// <summary>The largest value of a quantity over the surface, and its position.</summary>
+    /// <param name="Value">The value.</param>
+    /// <param name="X">The x coordinate, in m.</param>
+    /// <param name="Z">The z coordinate, in m.</param>
+    /// <param name="IsBetween">True if the position is not a point of the grid.</param>
+    internal readonly record struct Extreme(double Value, double X, double Z, bool IsBetween)
+    {
+        /// <summary>Of two values that differ less than this share, the first has the position.</summary>
+        private const double Equal = 1e-12;
+
+        /// <summary>Returns the larger of this value and another one.</summary>
+        public Extreme Or(double value, double x, double z, bool isBetween) =>
+            value > Value * (1.0 + Equal) ? new Extreme(value, x, z, isBetween)
+            : value > Value ? this with { Value = value }
+            : this;
+
+        /// <summary>Returns the field for messages: the quantity, and its position if it is between nodes.</summary>
+        /// <param name="quantity">The name of the quantity.</param>
+        public string Field(string quantity) => FormattableString.Invariant($"ground.heights ({quantity}, {(IsBetween ? "between nodes, " : "")}at x {X:G6}, z {Z:G6})");
     }
 }

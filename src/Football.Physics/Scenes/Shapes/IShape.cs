@@ -7,8 +7,11 @@ namespace FootballPhysics.Shapes;
 public interface IShape
 {
     /// <summary>The strongest concave curvature of the surface, in 1/m; 0 if the shape is convex.</summary>
-    /// <remarks>The value must be at most half the curvature of the ball, 1/(2r). The contact search relies on this limit: the ball could pass through a
-    /// sharper hollow.</remarks>
+    /// <remarks>
+    /// The inner side of a ring or a pipe is hollow in one direction: the value is 1/radius, and must be below the curvature of the ball, 1/r. A bowl is hollow
+    /// in both directions: the value must be at most 1/(2r). The contact search relies on the value. If it is too small, the simulator replaces it and reports
+    /// that in <see cref="Simulator.Warnings"/>.
+    /// </remarks>
     double MaximumConcaveCurvature { get; }
 
     /// <summary>A bounding box of the shape; infinite if the shape is unbounded.</summary>

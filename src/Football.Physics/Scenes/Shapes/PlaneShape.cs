@@ -1,9 +1,10 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Shapes;
 
 /// <summary>A half-space bounded by a plane: a wall, a board, a tilted pitch.</summary>
-public sealed class PlaneShape : IShape
+public sealed class PlaneShape : IShape, IExactHollow
 {
     private readonly double _offset;
 

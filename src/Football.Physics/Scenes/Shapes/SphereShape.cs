@@ -1,9 +1,10 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Shapes;
 
 /// <summary>A sphere: a head, a fist.</summary>
-public sealed class SphereShape : IShape
+public sealed class SphereShape : IShape, IExactHollow
 {
     /// <summary>Creates a sphere.</summary>
     /// <param name="center">The centre, in m; components within ±1e6.</param>

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Scenes;
 
 /// <summary>An approximation of a surface near its origin: a plane, or a sphere with the same curvature.</summary>
-internal sealed class TangentShape : IShape
+internal sealed class TangentShape : IShape, IExactHollow
 {
     private Vector3d _normal = Vector3d.Up;
     private double _curvature;

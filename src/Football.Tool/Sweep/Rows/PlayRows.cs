@@ -12,7 +12,7 @@ internal sealed class PlayRows : LaunchRows
     private static readonly string[] s_kinds = [.. Enum.GetValues<BallEventKind>().Select(kind => Words.Of(kind)), NoThing];
 
     private readonly CompiledScenes<CompiledScene> _scenes;
-    private Trajectory _path = new();
+    private readonly Trajectory _path = new();
     private CompiledScene _scene = null!;
     private PlayEnd _end;
     private int _lastEvent;
@@ -147,13 +147,6 @@ internal sealed class PlayRows : LaunchRows
     {
         BallState ball = scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? Quaterniond.Identity);
         scene.Simulator.LookAhead(in ball, scene.Request, _path);
-        while (!_path.IsComplete)
-        {
-            // A path is incomplete only if its buffer is full: repeat with a larger one.
-            _path = new Trajectory(2 * _path.Pieces.Length);
-            scene.Simulator.LookAhead(in ball, scene.Request, _path);
-        }
-
         _end = PlayEnd.Of(_path, scene.Scene);
         if (!_end.IsFinite)
         {
