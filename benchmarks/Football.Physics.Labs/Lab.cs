@@ -15,6 +15,7 @@ using FootballPhysics.Labs.Peers;
 using FootballPhysics.Labs.Pipes;
 using FootballPhysics.Labs.Play;
 using FootballPhysics.Labs.Queries;
+using FootballPhysics.Labs.Rebounds;
 using FootballPhysics.Labs.Scenes;
 using FootballPhysics.Labs.Stress;
 using FootballPhysics.Labs.Zones;
@@ -183,7 +184,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

@@ -122,6 +122,9 @@ internal readonly struct ContactMaterial
         return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
+    /// <summary>Returns the largest speed that a surface of this speed gives a squeezed ball, m/s: (1 + e) |V|, without a bumper's energy.</summary>
+    public double FastestBy(double speed) => (1.0 + Math.Min(1.0, LargestRestitutionAt(speed))) * speed;
+
     /// <summary>Returns the largest restitution anywhere on a ground: in the slowest and most oblique impacts.</summary>
     public static double LargestOn(Ground ground, BallProperties ball)
     {
@@ -138,9 +141,8 @@ internal readonly struct ContactMaterial
     /// <remarks>It exceeds 1000 m/s only if the approach speed did.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>
-    /// <param name="share">The share of the restitution to apply.</param>
-    public double Bumped(double approach, double restitution, double share) =>
-        Math.Min(share * Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
+    public double Bumped(double approach, double restitution) =>
+        Math.Min(Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
 
     /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), limited to 1, or to the higher bound of a bumper.</summary>
     private double RestitutionHeadOn(double approach)

@@ -31,23 +31,24 @@ internal static class ContactSet
     /// <summary>A carrier with at least this share of the greatest load stays the carrier.</summary>
     public const double AboutAsMuch = 0.5;
 
-    /// <summary>Finds the contacts that neither close nor separate, and slow movers nearby that touched the ball recently.</summary>
+    /// <summary>Finds the contacts that neither close nor separate; for a ball that rattles, those that close or separate slowly.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
     /// <param name="room">Stack memory for contacts.</param>
     /// <param name="more">Further memory.</param>
+    /// <param name="rattles">True if the ball rattles.</param>
     /// <returns>The contacts.</returns>
-    public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more)
+    public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more, bool rattles = false)
     {
-        bool lingers = s.Time < s.SqueezeUntil;
-        Span<Contact> set = Near(world, in s, lingers ? ContactTolerances.Lingering : ContactTolerances.Touching, room, more);
+        Span<Contact> set = Near(world, in s, rattles ? ContactTolerances.Rattling : ContactTolerances.Touching, room, more);
+        double closing = rattles ? world.MinimumBounceSpeed : ContactTolerances.Approaching;
+        double leaving = rattles ? world.MinimumBounceSpeed : ContactTolerances.Leaving;
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. Do not keep a body that has become stationary.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
-            bool stays = set[i].Gap <= ContactTolerances.Touching && rate >= -ContactTolerances.Approaching && rate <= ContactTolerances.Leaving;
-            if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
+            if (rate >= -closing && rate <= leaving)
             {
                 set[kept++] = set[i];
             }
@@ -392,7 +393,7 @@ internal struct Contact
     /// <summary>Distance from the ball, m; negative for an overlap.</summary>
     public readonly double Gap;
 
-    /// <summary>True if it touches the ball. A mover that touched the ball recently may have a small gap.</summary>
+    /// <summary>True if it touches the ball. A contact of a ball that rattles may have a small gap.</summary>
     public readonly bool Touches => Gap <= ContactTolerances.Touching;
 
     /// <summary>Material of the surface.</summary>

@@ -102,10 +102,10 @@ internal static class ContactTolerances
     /// <remarks>Above: a path that approaches a wall bends too early. Below: a path along a wall zigzags.</remarks>
     public const double ShownContact = 1e-4;
 
-    /// <summary>The maximum gap to a mover that touched the ball recently and still counts as a contact, m.</summary>
-    /// <remarks>The mover will touch the ball again, too gently for an impact. Above: a ball follows a mover that left it. Below: contact and
-    /// flight alternate.</remarks>
-    public const double Lingering = 2e-4;
+    /// <summary>The maximum gap at which a surface is a contact of a ball that rattles, m.</summary>
+    /// <remarks>The ball will touch the surface again, too gently for a bounce. Above: the ball follows a surface that it left. Below: contact
+    /// and flight alternate.</remarks>
+    public const double Rattling = 2e-4;
 
     // ---- Speeds in m/s; spins, multiplied by the radius ----
 
@@ -183,8 +183,8 @@ internal static class ContactTolerances
     /// </remarks>
     public const double SlideEnd = 1e-10;
 
-    /// <summary>Hits within this time count as simultaneous, s.</summary>
-    /// <remarks>Above: a fast rattle counts as simultaneous. Below: a wedge never does.</remarks>
+    /// <summary>Impacts that follow one another within this time count as one instant, s.</summary>
+    /// <remarks>Above: a fast rattle counts as one instant. Below: impacts between two surfaces that close never end.</remarks>
     public const double AtOnce = 1e-9;
 
     /// <summary>The error of the time at which a slide in a net ends in closed form, s.</summary>
@@ -373,7 +373,7 @@ internal static class ContactTolerances
     /// <remarks>Above: the next piece, across the jump, is long. Below: a stage of the integrator is beyond the jump.</remarks>
     public const double BeforeBend = 1e-5;
 
-    /// <summary>A pile rests if, with its contacts, each ball keeps at most this share of the forces on it.</summary>
+    /// <summary>A pile rests if, with its contacts, each ball keeps at most this share of the forces on it; so does a squeezed ball among stationary objects.</summary>
     /// <remarks>Above: a falling pile rests. Below: the solver's error keeps a pile awake.</remarks>
     public const double PileHeld = 1e-3;
 

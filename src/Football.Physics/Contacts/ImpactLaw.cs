@@ -7,9 +7,6 @@ namespace FootballPhysics.Contacts;
 /// </remarks>
 internal static class ImpactLaw
 {
-    /// <summary>Number of bisections that locate the share of a restitution to a billionth.</summary>
-    private const int Halvings = 30;
-
     /// <summary>Computes velocity and spin of a ball just after an impact with an object.</summary>
     /// <remarks>The impulse on the ball is m (v' − v); the object gets the opposite impulse.</remarks>
     /// <param name="ball">The ball.</param>
@@ -21,7 +18,6 @@ internal static class ImpactLaw
     /// <param name="velocity">Velocity after, m/s.</param>
     /// <param name="spin">Spin after, rad/s.</param>
     /// <param name="recoil">The mass ratio m/M of the ball and the object; 0 for an immovable object.</param>
-    /// <param name="share">The share of the restitution to apply.</param>
     public static void Apply(
         BallProperties ball,
         in ContactMaterial material,
@@ -31,8 +27,7 @@ internal static class ImpactLaw
         in Vector3d w,
         out Vector3d velocity,
         out Vector3d spin,
-        double recoil = 0,
-        double share = 1)
+        double recoil = 0)
     {
         double alpha = ball.InertiaFactor;
         double r = ball.Radius;
@@ -48,52 +43,13 @@ internal static class ImpactLaw
 
         // Per mass: 1/m + 1/M becomes 1 + m/M, and 1/κ becomes 1/(1 + 1/α + m/M). The slip is s = u_t + r n × ω.
         Vector3d along = u + (approach * n);
-        var law = new Impulse(in material, approach, in along, along + (r * Vector3d.Cross(in n, in w)), 1.0 + recoil, alpha / (1.0 + alpha + (alpha * recoil)), share);
+        var law = new Impulse(in material, approach, in along, along + (r * Vector3d.Cross(in n, in w)), 1.0 + recoil, alpha / (1.0 + alpha + (alpha * recoil)));
         velocity = v + (law.Normal * n) - law.Friction;
 
         // ω' = ω + (r/(α r²)) n × J/m, and the change about the normal.
         double about = Vector3d.Dot(in w, in n);
         double kept = law.SpinKept(in material, about, alpha * r * r);
         spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, law.Friction)) + ((kept - about) * n);
-    }
-
-    /// <summary>Computes an impact with reduced restitution, so that the ball does not exceed the maximum speed; if necessary, with zero
-    /// restitution.</summary>
-    /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
-    /// <param name="ball">The ball.</param>
-    /// <param name="material">The material of the object.</param>
-    /// <param name="n">Normal of the contact.</param>
-    /// <param name="surface">Velocity of the surface there, m/s.</param>
-    /// <param name="v">Velocity before, m/s; towards the surface.</param>
-    /// <param name="w">Spin before, rad/s.</param>
-    /// <param name="recoil">The mass ratio m/M of the ball and the object.</param>
-    /// <param name="fastest">The allowed speed, m/s.</param>
-    /// <param name="velocity">Velocity after, m/s.</param>
-    /// <param name="spin">Spin after, rad/s.</param>
-    public static void ApplySoftened(
-        BallProperties ball,
-        in ContactMaterial material,
-        in Vector3d n,
-        in Vector3d surface,
-        in Vector3d v,
-        in Vector3d w,
-        double recoil,
-        double fastest,
-        out Vector3d velocity,
-        out Vector3d spin)
-    {
-        // Bisect the share of the restitution: because of friction's kink, the speed is not a polynomial of it. The lower bound is always valid.
-        double low = 0;
-        double high = 1;
-        for (int i = 0; i < Halvings; i++)
-        {
-            double middle = 0.5 * (low + high);
-            Apply(ball, in material, in n, in surface, in v, in w, out velocity, out spin, recoil, middle);
-            low = velocity.Length <= fastest ? middle : low;
-            high = velocity.Length <= fastest ? high : middle;
-        }
-
-        Apply(ball, in material, in n, in surface, in v, in w, out velocity, out spin, recoil, low);
     }
 
     /// <summary>Computes the impact of two balls that touch and close.</summary>
@@ -125,7 +81,7 @@ internal static class ImpactLaw
         // κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂.
         double yields = (1.0 / ball.Mass) + (1.0 / other.Mass);
         double turns = (ball.Radius * ball.Radius / ball.MomentOfInertia) + (other.Radius * other.Radius / other.MomentOfInertia);
-        var law = new Impulse(in material, approach, relative + (approach * n), u - (Vector3d.Dot(in u, in n) * n), yields, 1.0 / (yields + turns), 1.0);
+        var law = new Impulse(in material, approach, relative + (approach * n), u - (Vector3d.Dot(in u, in n) * n), yields, 1.0 / (yields + turns));
         Vector3d impulse = (law.Normal * n) - law.Friction;
 
         // About the normal, only the relative spin matters.
@@ -170,14 +126,13 @@ internal static class ImpactLaw
         /// <param name="slip">s, m/s.</param>
         /// <param name="yields">1/m₁ + 1/m₂.</param>
         /// <param name="turning">1/κ.</param>
-        /// <param name="share">The share of the restitution to apply.</param>
-        public Impulse(in ContactMaterial material, double approach, in Vector3d along, in Vector3d slip, double yields, double turning, double share)
+        public Impulse(in ContactMaterial material, double approach, in Vector3d along, in Vector3d slip, double yields, double turning)
         {
             // The normal impulse J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂).
             double restitution = material.RestitutionAt(approach, in along);
             Normal = material.IsBumper
-                ? (approach + material.Bumped(approach, restitution, share)) / yields
-                : (1.0 + (share * restitution)) * approach / yields;
+                ? (approach + material.Bumped(approach, restitution)) / yields
+                : (1.0 + restitution) * approach / yields;
 
             // A grip needs J_t = −(1 + e_t) s/κ, limited to μ J_n.
             double gripX = turning * (1.0 + material.TangentialX);

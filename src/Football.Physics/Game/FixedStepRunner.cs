@@ -155,7 +155,7 @@ public sealed partial class FixedStepRunner
     /// lossless at these ticks. Every machine in the match rounds in the same way, even in rollbacks and replays. Position changes by at most 0.5 mm
     /// per component (just above the ground by 1 mm, upwards), velocity by 1 mm/s. Spin changes by less than 0.125 rad/s and rotation by at most
     /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded: a ball
-    /// in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
+    /// in a net, on ground that is not level, squeezed between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
     /// With several balls, either all are rounded or none. A look-ahead does not round. Set it before you attach a <see cref="Rollback"/> or start a
     /// recording, because both repeat past steps.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>

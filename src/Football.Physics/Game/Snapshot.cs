@@ -126,6 +126,8 @@ public static class Snapshot
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
+        // Earlier versions stored limits of the next contact here.
+        words.Slice(StateFields.Used).Clear();
         BallState state = default;
         StateFields.Write(words, ref state);
         try

@@ -21,14 +21,17 @@ internal static class StateFields
     /// <summary>The number of scalars; a test compares it with the struct.</summary>
     public const int Count = 28;
 
-    // The order of Visit. ClearUntil, AirDistance and the squeeze fields are numbers, but are visited as bits, because they are 0 for a plain ball.
+    /// <summary>The number of scalars that are in use; the others are 0.</summary>
+    public const int Used = 26;
+
+    // The order of Visit. ClearUntil and AirDistance are numbers, but are visited as bits, because they are 0 for a plain ball.
     private static readonly (string Name, bool IsNumber)[] s_names =
     [
         ("time", true), ("position.x", true), ("position.y", true), ("position.z", true), ("velocity.x", true), ("velocity.y", true), ("velocity.z", true),
         ("motion", false), ("spinAxis.x", true), ("spinAxis.y", true), ("spinAxis.z", true), ("spinRate", true), ("angle", true),
         ("orientation.x", true), ("orientation.y", true), ("orientation.z", true), ("orientation.w", true),
         ("dragRegion", false), ("carrier", false), ("nets", false), ("netSides", false), ("goalsPassed", false), ("clearUntil", true), ("clearIn", false),
-        ("airDistance", true), ("goalsEntered", false), ("squeezeSpeed", true), ("squeezeUntil", true),
+        ("airDistance", true), ("goalsEntered", false), ("reserved", false), ("reservedToo", false),
     ];
 
     /// <summary>Returns the name of a scalar, and true if it is a number rather than flags or an index.</summary>
@@ -67,8 +70,8 @@ internal static class StateFields
         visitor.Bits(ref state.ClearIn);
         Bits(ref state.AirDistance, ref visitor);
         visitor.Bits(ref state.GoalsEntered);
-        Bits(ref state.SqueezeSpeed, ref visitor);
-        Bits(ref state.SqueezeUntil, ref visitor);
+        visitor.Bits(ref state.Reserved);
+        visitor.Bits(ref state.ReservedToo);
     }
 
     /// <summary>Copies the bits of a state into words.</summary>

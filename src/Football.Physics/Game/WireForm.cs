@@ -148,7 +148,7 @@ internal static class WireForm
 
         // The format cannot store nets, contacts other than with level ground, an active knuckle force, or a squeeze: do not round such balls.
         bool holds = (flies || (s.Motion != MotionState.Pinned && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
-            && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
+            && s.Nets == 0 && s.AirDistance == 0 && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
         {
             return false;

@@ -43,7 +43,6 @@ internal sealed partial class ContactSetParts
 
             // The maximum speed is the ball's own speed plus the work of the forces, or the speed of the objects that push it.
             double came = from.Velocity.Length;
-            s.SqueezeSpeed = came;
 
             // The search radius covers the ball's own path, the path of a mover (or of a struck ball at twice its speed), and the resolved overlap.
             double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
@@ -55,13 +54,13 @@ internal sealed partial class ContactSetParts
 
             // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.
             SolvedSet.KeepOff(set, h, movers: true, ref v);
-            _contact.IsTooFast(ref s, set, in v);
+            double given = Math.Max(came, WorldContact.FastestBy(set));
             Vector3d kept = v;
             SolvedSet.KeepOff(set, h, movers: false, ref kept);
 
             // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
-            double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
+            double fastest = Math.Max(given, worked + Math.Sqrt((worked * worked) + (came * came)));
 
             // Limit the speed to this value. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;
@@ -78,8 +77,9 @@ internal sealed partial class ContactSetParts
             }
 
             // Resolve overlaps with moving objects at a limited speed, and with stationary ones at once. This displacement may enter nets and goals.
+            // At a passage, moving objects wait for the next part: the ball must not be pushed back across the line that it has just crossed.
             Vector3d moved = s.Position;
-            PushOut(ref s, set, OutOfTheWay * h, before.Position);
+            PushOut(ref s, set, passes ? 0 : OutOfTheWay * h, before.Position);
             _displacement.Follow(ref s, in moved, ref run);
             Halt(ref s, set, before.Position, h * free.Acceleration.Length);
             isFree = IsFree(in s, set);
@@ -93,10 +93,12 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>Stops a ball that stationary contacts hold in place: removes any speed that the forces of a single part can cause.</summary>
+    /// <summary>Stops a ball that stationary contacts hold in place: removes any speed that the forces of a single part can cause, and the error of a
+    /// set without a solution, at which the ball would creep.</summary>
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
-        if ((s.Position - from).Length > ContactTolerances.Standstill || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)
+        double speed = s.Velocity.Length + (_around.Radius * s.SpinAxis.Length);
+        if (speed > gained || (speed > ContactTolerances.PileHeld * gained && (s.Position - from).Length > ContactTolerances.Standstill))
         {
             return;
         }

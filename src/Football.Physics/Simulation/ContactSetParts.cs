@@ -60,7 +60,7 @@ internal sealed partial class ContactSetParts
         while (run.TakesParts)
         {
             // Find the touched surfaces; the solver then determines which of them have a load.
-            Span<Contact> set = ContactSet.Touching(_world, in s, room, _more);
+            Span<Contact> set = ContactSet.Touching(_world, in s, room, _more, run.Rattles);
             if (set.Length < 2)
             {
                 return taken;
@@ -78,14 +78,14 @@ internal sealed partial class ContactSetParts
             run.Log.Evaluations++;
             LeaveOut(ref set, run.Log);
 
-            // At most one contact has a load, and no loaded surface moves: leave the ball to the single-surface phase.
-            if (Bearers(set, next.Length, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
+            // At most one contact has a load, and no loaded surface moves: leave the ball to the single-surface phase, unless it would rattle.
+            if (Bearers(set, next.Length, out int bearer) < 2 && !run.Rattles && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // The ball has no room if no impulses satisfy all contacts, or if the resulting speed is too high. Only moving objects squeeze the ball.
-            if (SolvedSet.Moves(set) && (!next.Solved || _contact.IsTooFast(ref s, set, in next.Velocity)))
+            // The ball has no room if no impulses satisfy all contacts, or if it would have to leave too fast. Only moving objects squeeze the ball.
+            if (SolvedSet.Moves(set) && (!next.Solved || WorldContact.IsTooFast(in s, set, next.From.Velocity + (next.Length * next.Start.Acceleration), in next.Velocity)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;

@@ -62,13 +62,13 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     public bool Take(ref BallState s, ref StepRun run)
     {
         Contact* room = stackalloc Contact[ContactSet.Room];
-        Span<Contact> set = ContactSet.Touching(_world, in s, new Span<Contact>(room, ContactSet.Room), _world.Room);
+        Span<Contact> set = ContactSet.Touching(_world, in s, new Span<Contact>(room, ContactSet.Room), _world.Room, run.Rattles);
         if (set.Length < 2)
         {
             return false;
         }
 
-        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
+        if (run.Rattles || set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
         {
             return _parts.Take(ref s, ref run);
         }

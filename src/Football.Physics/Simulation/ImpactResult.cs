@@ -33,17 +33,7 @@ internal sealed class ImpactResult
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
 
-        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
-        if (hit.Moves)
-        {
-            double restitution = material.LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
-            bool again = WorldContact.Touches(ref s, ((1.0 + restitution) * surface.Length) + material.MinimumExitSpeed);
-            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
-            if (again && velocity.Length > fastest)
-            {
-                ImpactLaw.ApplySoftened(_world.Ball, in material, in n, in surface, in v, in w, recoil, fastest, out velocity, out spin);
-            }
-        }
+        run.Fastest = hit.Moves ? Math.Max(run.Fastest, material.FastestBy(surface.Length)) : run.Fastest;
 
         // The separation speed is w = (v' − V')·n. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();

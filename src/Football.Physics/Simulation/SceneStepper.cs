@@ -266,6 +266,7 @@ internal class SceneStepper<TIntegrator> : Stepper
 
         var run = new StepRun(dt, s.Time, log) { Whole = whole };
         Vector3d from = s.Position;
+        run.Arrival = run.Pieces == 0 ? s.Velocity.Length : run.Arrival;
         if (!log.Halted)
         {
             Separate(ref s, ref run);

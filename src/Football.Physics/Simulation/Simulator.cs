@@ -200,8 +200,6 @@ public sealed class Simulator
         BallState next = Flying(state.Position, state.Velocity, state.Spin, state.Orientation, state.Time);
         Passages.Carry(old._world, _world, in state, ref next);
         next.AirDistance = Scene.Forces.KnuckleSeed is null ? 0 : state.AirDistance;
-        next.SqueezeSpeed = state.SqueezeSpeed;
-        next.SqueezeUntil = state.SqueezeUntil;
         _stepper.Settle(ref next);
         return state.Motion == MotionState.Rest ? AtRest(in next, old._world.HangsInNet(in state)) : next;
     }

@@ -19,8 +19,17 @@ internal struct StepBudget
     /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
-    /// <summary>Impacts since time last advanced.</summary>
-    public int Impacts;
+    /// <summary>Impacts that followed one another at about one instant.</summary>
+    public int Quick;
+
+    /// <summary>Instants at which the ball stayed on a surface after an impact.</summary>
+    public int Stays;
+
+    /// <summary>Time of the last of these instants, s.</summary>
+    public double LastStay;
+
+    /// <summary>Time of the last impact, s.</summary>
+    public double LastImpact;
 
     /// <summary>Impacts that were resolved together and not reported one by one.</summary>
     public int MergedImpacts;
@@ -46,11 +55,14 @@ internal struct StepBudget
     /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
     public int Squeezes;
 
-    /// <summary>Hits by moving objects in quick succession.</summary>
+    /// <summary>Hits by moving objects so far.</summary>
     public int Hits;
 
-    /// <summary>Time of the last of these hits, s.</summary>
-    public double LastHit;
+    /// <summary>The speed of the ball on arrival, m/s.</summary>
+    public double Arrival;
+
+    /// <summary>The speed that the fastest mover that hit the ball gives it, m/s.</summary>
+    public double Fastest;
 
     /// <summary>After this many events, a step of up to 0.25 s reports only rest, goals and squeezes, which are rare, and counts the
     /// others.</summary>
@@ -63,7 +75,4 @@ internal struct StepBudget
     /// <param name="length">Length of the step, s.</param>
     public static bool Reports(BallEventKind kind, int before, double length) =>
         before < MostEvents * Math.Max(1.0, length / UsualStep) || kind is BallEventKind.Rest or BallEventKind.Goal or BallEventKind.Pinned;
-
-    /// <summary>The counters at the start of a step.</summary>
-    public static StepBudget New => new() { LastHit = double.NegativeInfinity };
 }

@@ -153,7 +153,7 @@ public sealed partial class StepLog
         Pushes = true;
         Pushed = false;
         Continues = true;
-        Spent = StepBudget.New;
+        Spent = default;
         Zones = null;
         zones?.Begin(this, in s);
     }

@@ -15,6 +15,10 @@ internal ref struct StepRun
     /// <summary>Number of events after which a step counts as crowded.</summary>
     private const int MostInCrowd = 14;
 
+    /// <summary>Maximum number of impacts at one instant, and of instants of impacts without a bounce in a step: two contacts plus eight.</summary>
+    /// <remarks>After that, all contacts are resolved together without restitution.</remarks>
+    public const int MostAtOnce = 10;
+
     /// <summary>Maximum number of pieces per step, of all kinds.</summary>
     private const int MostPieces = 1 << 13;
 
@@ -23,12 +27,6 @@ internal ref struct StepRun
 
     /// <summary>Evaluations reserved for one piece, including the search for its end. A piece starts only if this many remain.</summary>
     private const long MostOfPiece = 1 << 12;
-
-    /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
-    private const double CrowdedFor = 0.01;
-
-    /// <summary>The ball is squeezed if a series has more hits than this.</summary>
-    private const int MostHits = 4;
 
     /// <summary>After this many pieces the part length is chosen again, because the reason for short parts may have ended.</summary>
     private const int PiecesOfOneLength = 64;
@@ -99,8 +97,30 @@ internal ref struct StepRun
     /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
     public int Squeezes;
 
-    /// <summary>Impacts since time last advanced.</summary>
-    public int Impacts;
+    /// <summary>Hits by moving objects so far.</summary>
+    public int Hits;
+
+    /// <summary>The speed of the ball at the start of the step, or after a later impact with another ball, m/s.</summary>
+    public double Arrival;
+
+    /// <summary>The speed that the fastest mover that has hit the ball in this step gives it, (1 + e) |V|, m/s.</summary>
+    public double Fastest;
+
+    /// <summary>Impacts that have followed one another at about one instant.</summary>
+    public int Quick;
+
+    /// <summary>Time of the last impact, s.</summary>
+    public double LastImpact;
+
+    /// <summary>Instants at which the ball stayed on a surface after an impact.</summary>
+    public int Stays;
+
+    /// <summary>Time of the last of these instants, s.</summary>
+    public double LastStay;
+
+    /// <summary>True if a moving object has hit the ball, and the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
+    /// <remarks>Otherwise, a ball that forces press onto one surface while another one lifts it would hit them in turn without an end.</remarks>
+    public readonly bool Rattles => Stays > MostAtOnce && Hits > 0;
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
@@ -113,8 +133,6 @@ internal ref struct StepRun
 
     private int _firstZoneEvent;
     private long _lastEvaluation;
-    private double _lastHit;
-    private int _hits;
     private int _eventsBefore;
 
     /// <summary>Starts a step.</summary>
@@ -128,7 +146,6 @@ internal ref struct StepRun
         End = time + dt;
         Log = log;
         _lastEvaluation = log.Evaluations + MostEvaluations - MostOfPiece;
-        _lastHit = double.NegativeInfinity;
         FirstEvent = log.Events.Count;
         _firstZoneEvent = log.ZoneEvents;
         if (log.Continues)
@@ -145,7 +162,6 @@ internal ref struct StepRun
         Events = Reported,
         Splits = Splits,
         AllImpacts = AllImpacts,
-        Impacts = Impacts,
         MergedImpacts = MergedImpacts,
         SetChanges = SetChanges,
         SetPieces = SetPieces,
@@ -154,8 +170,13 @@ internal ref struct StepRun
         Named = Named,
         Slips = Slips,
         Squeezes = Squeezes,
-        Hits = _hits,
-        LastHit = _lastHit,
+        Hits = Hits,
+        LastImpact = LastImpact,
+        Quick = Quick,
+        Stays = Stays,
+        LastStay = LastStay,
+        Arrival = Arrival,
+        Fastest = Fastest,
     };
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
@@ -196,16 +217,19 @@ internal ref struct StepRun
         return AllImpacts++ < MostImpacts;
     }
 
-    /// <summary>Counts a hit by a moving object. Simultaneous hits count once.</summary>
-    /// <returns>True if so many hits followed each other so quickly that the ball has no room.</returns>
-    public bool IsCrowdedAt(double time)
+    /// <summary>Counts an impact, and returns the number of impacts that have followed one another at about one instant.</summary>
+    public int InQuickSuccession(double time)
     {
-        double since = time - _lastHit;
+        Quick = time - LastImpact > ContactTolerances.AtOnce ? 1 : Quick + 1;
+        LastImpact = time;
+        return Quick;
+    }
 
-        // After a pause, start a new series. Simultaneous hits count as one hit.
-        _hits = since > CrowdedFor ? 1 : since > ContactTolerances.AtOnce ? _hits + 1 : _hits;
-        _lastHit = time;
-        return _hits > MostHits;
+    /// <summary>Counts an instant at which the ball stays on a surface after an impact.</summary>
+    public void Stay(double time)
+    {
+        Stays += time > LastStay ? 1 : 0;
+        LastStay = time;
     }
 
     /// <summary>Reports an event, or only counts it if the step has reported too many.</summary>
@@ -233,9 +257,6 @@ internal ref struct StepRun
     {
         s.Time = Math.Min(s.Time + h, End);
         Left -= h;
-
-        // Simultaneous impacts are counted until time advances.
-        Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
     }
 
@@ -272,7 +293,6 @@ internal ref struct StepRun
         _eventsBefore = spent.Events;
         Splits = spent.Splits;
         AllImpacts = spent.AllImpacts;
-        Impacts = spent.Impacts;
         MergedImpacts = spent.MergedImpacts;
         SetChanges = spent.SetChanges;
         SetPieces = spent.SetPieces;
@@ -281,7 +301,12 @@ internal ref struct StepRun
         Named = spent.Named;
         Slips = spent.Slips;
         Squeezes = spent.Squeezes;
-        _hits = spent.Hits;
-        _lastHit = spent.LastHit;
+        Hits = spent.Hits;
+        LastImpact = spent.LastImpact;
+        Quick = spent.Quick;
+        Stays = spent.Stays;
+        LastStay = spent.LastStay;
+        Arrival = spent.Arrival;
+        Fastest = spent.Fastest;
     }
 }

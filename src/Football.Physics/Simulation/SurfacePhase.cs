@@ -103,7 +103,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private bool Propose(ref BallState s, ref StepRun run, ref SurfacePiece piece)
     {
         // First handle an immediate impact, then a contact set, which has its own phase.
-        if (!_world.IsPlaneAlone && (_world.Engine is not null || s.Time < s.SqueezeUntil || NearThings.TouchesOthers(_world, in s)))
+        if (!_world.IsPlaneAlone && (_world.Engine is not null || run.Rattles || NearThings.TouchesOthers(_world, in s)))
         {
             if (_guard.HitsAtOnce(ref s, ref run))
             {

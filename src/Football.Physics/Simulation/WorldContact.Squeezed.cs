@@ -16,6 +16,7 @@ internal sealed partial class WorldContact
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
         run.Log.UnreportedImpacts++;
+        run.Stay(s.Time);
 
         // Solve all contacts as one set, over zero time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
@@ -26,7 +27,7 @@ internal sealed partial class WorldContact
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.MergedImpacts++ < MostMerged;
 
         // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
-        if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
+        if (ContactSet.HasMover(set) && (!solved || IsTooFast(in s, set, in before.Velocity, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);
             return;
@@ -57,7 +58,13 @@ internal sealed partial class WorldContact
     {
         run.Squeezes++;
         s.Carrier = collider + _world.FirstCollider;
-        run.Report(BallEventKind.Pinned, _world.Reported(s.Carrier), _world.ByIndex[collider].At(s.Position, s.Time).Normal, in s, s.Velocity, s.Spin);
+
+        // A squeeze adds no energy: the ball keeps at most the speed of its arrival, or the speed that the fastest mover gives it.
+        double most = Math.Max(run.Arrival, run.Fastest);
+        double speed = s.Velocity.Length;
+        Vector3d kept = speed > most ? most / speed * s.Velocity : s.Velocity;
+        run.Report(BallEventKind.Pinned, _world.Reported(s.Carrier), _world.ByIndex[collider].At(s.Position, s.Time).Normal, in s, in kept, s.Spin);
+        s.Velocity = kept;
         s.SetGroundSpin(s.Spin);
         s.Motion = MotionState.Pinned;
         s.Branch = DragBranch.Unknown;
@@ -70,37 +77,28 @@ internal sealed partial class WorldContact
         Fly(ref s, s.Velocity, s.Spin);
     }
 
-    /// <summary>True if moving objects would make the ball too fast.</summary>
-    /// <remarks>The limit is the greater of its speed on arrival and 1 + e times the speed of the fastest mover that pushes it.</remarks>
+    /// <summary>True if objects that press the ball all the time would make it faster than the forces, their own speeds and an impact
+    /// do.</summary>
+    /// <remarks>To get out of their path, the ball would have to move farther than they do: they squeeze it.</remarks>
     /// <param name="s">The ball.</param>
     /// <param name="set">The contacts and their impulses.</param>
-    /// <param name="velocity">The resulting velocity, m/s.</param>
-    public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
+    /// <param name="free">The velocity without contacts, m/s.</param>
+    /// <param name="velocity">The velocity with contacts, m/s.</param>
+    public static bool IsTooFast(in BallState s, Span<Contact> set, in Vector3d free, in Vector3d velocity)
     {
-        // (1 + e) |V| of the fastest mover that pushes the ball, or −1 if there is no such mover.
+        double fastest = FastestBy(set);
+        return fastest >= 0 && velocity.Length > Math.Max(fastest, Math.Max(s.Velocity.Length, free.Length));
+    }
+
+    /// <summary>Returns the speed that the fastest mover with a load gives a ball, (1 + e) |V|, m/s; −1 if there is no such mover.</summary>
+    public static double FastestBy(Span<Contact> set)
+    {
         double fastest = -1.0;
         foreach (ref readonly Contact contact in set)
         {
-            double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, ((1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) + contact.Material.MinimumExitSpeed) : fastest;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, contact.Material.FastestBy(contact.Velocity.Length)) : fastest;
         }
 
-        if (fastest < 0)
-        {
-            return false;
-        }
-
-        Touches(ref s, fastest);
-        return velocity.Length > s.SqueezeSpeed;
-    }
-
-    /// <summary>Records a contact with a moving object that may accelerate the ball to a given speed, m/s.</summary>
-    /// <returns>True if another contact with a mover was recorded recently.</returns>
-    public static bool Touches(ref BallState s, double fastest)
-    {
-        bool again = s.Time < s.SqueezeUntil;
-        s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);
-        s.SqueezeUntil = StateCheck.SqueezedUntil(s.Time);
-        return again;
+        return fastest;
     }
 }

@@ -7,9 +7,8 @@ namespace FootballPhysics.Simulation;
 /// <summary>Resolves contacts with the world: an impact, and the motion state of the ball after it.</summary>
 internal sealed partial class WorldContact
 {
-    /// <summary>Maximum number of impacts at one instant: two contacts plus eight. After that, all contacts are resolved together without
-    /// restitution.</summary>
-    private const int MostAtOnce = 10;
+    /// <summary>After this many hits by movers in a step, each further hit may squeeze the ball.</summary>
+    private const int MostHits = 8;
 
     private readonly World _world;
     private readonly ContactLoad _load;
@@ -30,8 +29,8 @@ internal sealed partial class WorldContact
     /// <summary>Resolves an impact with a collider that the ball touches, and sets the new motion state.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
-        // After too many impacts at one instant, or in a crowded step shortly after contact with a mover, resolve all contacts together.
-        if (run.Impacts++ >= MostAtOnce || (s.Time < s.SqueezeUntil && run.IsCrowded))
+        // After too many impacts at one instant, resolve all contacts together.
+        if (run.InQuickSuccession(s.Time) > StepRun.MostAtOnce)
         {
             ImpactAtOnce(ref s, collider, ref run);
             return;
@@ -54,13 +53,18 @@ internal sealed partial class WorldContact
         // The velocity has jumped, so choose the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
 
-        // Movers hit the ball too often in a short time, so it has no room.
-        if (hit.Moves && run.IsCrowdedAt(s.Time))
+        // Movers have hit the ball often in this step: find out whether they leave it room.
+        if (hit.Moves && run.Hits++ >= MostHits && !FreePlace.Exists(_world, in s, in end.Velocity, in end.Normal, in run))
         {
             s.Velocity = end.Velocity;
             s.SetGroundSpin(in end.Spin);
             BeginSqueeze(ref s, collider, ref run);
             return;
+        }
+
+        if (!end.Bounces)
+        {
+            run.Stay(s.Time);
         }
 
         // A ball supported by another surface keeps its carrier unless the impulse lifts it.
@@ -332,10 +336,7 @@ internal sealed partial class WorldContact
         // The clear time and the branch of the drag law belong to the old velocity.
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
-
-        // An impact with another ball ends the series of hits by movers, so the next hit is not the second of two.
-        s.SqueezeUntil = s.Motion == MotionState.Pinned ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
+        run.Arrival = Math.Max(run.Arrival, velocity.Length);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
@@ -361,7 +362,7 @@ internal sealed partial class WorldContact
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         // Report no new slide if the ball already slid there at this instant, nor in a crowded step.
-        bool slidOn = (run.Impacts > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
+        bool slidOn = (run.Quick > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
         run.Jumped &= slidOn;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);

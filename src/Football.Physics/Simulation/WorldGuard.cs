@@ -29,6 +29,7 @@ internal sealed class WorldGuard
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
+        double slowest = run.Rattles && carrier >= 0 ? _world.MinimumBounceSpeed : ContactTolerances.Approaching;
         int first = int.MaxValue;
         bool takesUp = false;
         var near = NearThings.At(_world, in s);
@@ -45,7 +46,7 @@ internal sealed class WorldGuard
 
             // A closing contact is an impact. If a flying ball is pressed onto a surface and neither closes nor leaves, the surface supports it.
             bool touches = gap <= ContactTolerances.Touching;
-            bool hits = touches && rate < -ContactTolerances.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0);
+            bool hits = touches && rate < -slowest && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0);
             bool presses = touches && !hits && rate <= ContactTolerances.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
             if ((hits || presses) && (!byside || NearThings.IsBefore(NormalOf(i, in s), i, NormalOf(first, in s), first)))
             {

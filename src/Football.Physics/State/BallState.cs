@@ -100,12 +100,11 @@ public struct BallState : IFormattable
     /// <summary>The distance through the air since the kick, in m, if a knuckle force depends on it; otherwise 0.</summary>
     internal double AirDistance;
 
-    /// <summary>The maximum speed that moving objects may give the ball until <see cref="SqueezeUntil"/>, in m/s.</summary>
-    /// <remarks>It is 1 + e times the speed of the fastest object that touched the ball, or the ball's own earlier speed.</remarks>
-    internal double SqueezeSpeed;
+    /// <summary>Always 0: keeps the size of a state and of its bytes. Earlier versions stored limits of the next contact here.</summary>
+    internal ulong Reserved;
 
-    /// <summary>The time until which recent contacts with moving objects limit the next one, in s; 0 if there were none.</summary>
-    internal double SqueezeUntil;
+    /// <summary>Always 0, like <see cref="Reserved"/>.</summary>
+    internal ulong ReservedToo;
 
     /// <inheritdoc/>
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);

@@ -21,12 +21,6 @@ internal static class StateCheck
     /// <summary>The largest angle since the last change of the spin, in rad.</summary>
     private const double LargestAngle = FastestSpin * LatestTime;
 
-    /// <summary>The time for which a contact with a moving object limits the speed from the next contact, in s.</summary>
-    private const double Lately = 0.1;
-
-    /// <summary>The relative error of a contact's time: the times of the parts of a step add up to its end only up to rounding.</summary>
-    private const double ClockRounding = 1e-12;
-
     /// <summary>The allowed deviation from 1 of the squared length of a unit vector or quaternion.</summary>
     private const double Rounding = 1e-6;
 
@@ -41,8 +35,7 @@ internal static class StateCheck
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) <= Rounding
             && state.ClearUntil >= 0 && state.ClearUntil <= LatestClear && (state.ClearIn != 0 || state.ClearUntil == 0)
             && state.AirDistance >= 0 && state.AirDistance <= Farthest
-            && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed
-            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= LatestSqueeze(state.Time)))
+            && (state.Reserved | state.ReservedToo) == 0))
         {
             return false;
         }
@@ -60,11 +53,6 @@ internal static class StateCheck
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
             : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Pinned) && axis <= FastestSpin * FastestSpin;
     }
-
-    /// <summary>Returns the time until which a contact with a moving object limits the next contact, in s.</summary>
-    public static double SqueezedUntil(double time) => time + Lately;
-
-    private static double LatestSqueeze(double time) => SqueezedUntil((1 + ClockRounding) * time);
 
     /// <summary>Throws if no ball can have this state.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
@@ -101,7 +89,6 @@ internal static class StateCheck
         Check.Within("state.carrier", state.Carrier, 0, int.MaxValue);
         Check.Within("state.clearUntil", state.ClearUntil, 0, state.ClearIn != 0 ? LatestClear : 0);
         Check.Within("state.airDistance", state.AirDistance, 0, Farthest);
-        Check.Within("state.squeezeSpeed", state.SqueezeSpeed, 0, FastestSpeed);
-        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, LatestSqueeze(state.Time));
+        Check.Within("state.reserved", state.Reserved | state.ReservedToo, 0, 0);
     }
 }

@@ -24,15 +24,20 @@ public sealed class StressLabTests
 
     /// <summary>
     /// Matches that the lab found: two movers of which one drew the ball into the other (764, 1138), a collider pushed twice (185), a ball at a board in
-    /// the wind (787) and at a player who stands still (83); and a step in a net without end, between two movers with nearly parallel normals (1379 of seed 2).
+    /// the wind (787) and at a player who stands still (83); a step in a net without end, between two movers with nearly parallel normals (1379 of seed 2); steps of hundreds
+    /// of slow impacts on two surfaces in turn (108, 157 of seed 2); a ball that crept in a corner below a player (342); and one that he pushed back across the goal line (1618 of seed 2).
     /// </summary>
     [Theory]
     [InlineData(1, 83)]
     [InlineData(1, 185)]
+    [InlineData(1, 342)]
     [InlineData(1, 764)]
     [InlineData(1, 787)]
     [InlineData(1, 1138)]
+    [InlineData(2, 108)]
+    [InlineData(2, 157)]
     [InlineData(2, 1379)]
+    [InlineData(2, 1618)]
     public void Matches_that_did_not_hold_a_claim_hold_it(long seed, long match)
     {
         MatchOutcome played = MatchPlay.Play(seed, match, 12, new LabCounts());

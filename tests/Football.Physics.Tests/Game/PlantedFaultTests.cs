@@ -64,7 +64,7 @@ public sealed class PlantedFaultTests
     [Fact]
     public void Flags_and_indices_are_no_numbers()
     {
-        string[] whole = ["motion", "dragRegion", "carrier", "nets", "netSides", "goalsPassed", "clearIn", "goalsEntered"];
+        string[] whole = ["motion", "dragRegion", "carrier", "nets", "netSides", "goalsPassed", "clearIn", "goalsEntered", "reserved", "reservedToo"];
         string[] told = [.. Enumerable.Range(0, StateFields.Count).Select(StateFields.NameOf).Where(field => !field.IsNumber).Select(field => field.Name)];
         Assert.Equal(whole, told);
         BallState state = Match().State;

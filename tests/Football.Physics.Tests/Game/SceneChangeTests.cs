@@ -73,19 +73,6 @@ public sealed class SceneChangeTests
         }
     }
 
-    /// <summary>A ball that a player has just squeezed keeps the speed that he may give it, and for how long.</summary>
-    [Fact]
-    public void A_squeezed_ball_keeps_the_limit_of_its_speed()
-    {
-        var old = new Simulator(Scene.Default);
-        BallState state = old.Launch(new Vector3d(0, 3, 0), new Vector3d(1, 2, 3), Vector3d.Zero);
-        state.SqueezeSpeed = 7;
-        state.SqueezeUntil = state.Time + 0.01;
-        BallState next = new Simulator(Scene.Default with { Air = new Air { Wind = new Vector3d(1, 0, 0) } }).Continue(old, in state);
-        Assert.Equal(state.SqueezeSpeed, next.SqueezeSpeed);
-        Assert.Equal(state.SqueezeUntil, next.SqueezeUntil);
-    }
-
     [Fact]
     public void A_runner_goes_on_at_its_tick_and_its_recording_ends()
     {

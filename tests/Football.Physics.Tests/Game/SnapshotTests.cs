@@ -32,7 +32,7 @@ public sealed class SnapshotTests
                 continue;
             }
 
-            Assert.True(Snapshot.Same(changed, Snapshot.Read(bytes)), name);
+            Assert.True(Snapshot.Same(name.StartsWith(nameof(BallState.Reserved), StringComparison.Ordinal) ? state : changed, Snapshot.Read(bytes)), name);
         }
     }
 

@@ -7,7 +7,7 @@ namespace FootballPhysics.Tests.Game;
 public sealed class StateDifferenceTests
 {
     /// <summary>The fields that are flags or indices. All others are numbers.</summary>
-    private static readonly string[] s_whole = ["motion", "dragRegion", "carrier", "nets", "netSides", "goalsPassed", "clearIn", "goalsEntered"];
+    private static readonly string[] s_whole = ["motion", "dragRegion", "carrier", "nets", "netSides", "goalsPassed", "clearIn", "goalsEntered", "reserved", "reservedToo"];
 
     public static TheoryData<int> Fields => [.. Enumerable.Range(0, StateFields.Count)];
 

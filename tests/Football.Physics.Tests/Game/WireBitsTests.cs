@@ -137,7 +137,6 @@ public sealed class WireBitsTests
         Not(flying with { Motion = MotionState.Pinned });
         Not(flying with { Nets = 1 });
         Not(flying with { AirDistance = 1 });
-        Not(flying with { SqueezeUntil = flying.Time + 1 });
         Not(flying with { GoalsEntered = 4 });
         Not(flying with { GoalsPassed = 4 });
         Not(flying with { Angle = 0.1 });

@@ -126,21 +126,21 @@ public sealed class BallTrialTests
         var simulator = new Simulator(Scene.Default with { Obstacles = [new Obstacle { Name = "bin", Shape = new BoxShape(new Vector3d(5, 1, 0), new Vector3d(1, 5, 5)), Mass = 2 }] });
         BallState start = simulator.Launch(new Vector3d(2, 0.3, 0), new Vector3d(10, 2, 0), new Vector3d(0, 9, 0));
         var trial = new BallTrial();
-        trial.Run(simulator, in start, 1, StopAt.Time, haltsAtPush: true, StepBudget.New);
+        trial.Run(simulator, in start, 1, StopAt.Time, haltsAtPush: true, default);
         Assert.Equal(trial.End.Time, trial.HaltsAt);
         Assert.Equal(3.89, trial.End.Position.X, 1e-9);
         Assert.Equal(1, trial.Log.Events.Count);
         double reach = trial.Reach;
         Assert.InRange(reach, (trial.End.Position - start.Position).Length, 1.1 * (trial.End.Position - start.Position).Length);
         simulator.ResetObstacles();
-        trial.Run(simulator, in start, 1, StopAt.Time, haltsAtPush: true, StepBudget.New);
+        trial.Run(simulator, in start, 1, StopAt.Time, haltsAtPush: true, default);
         Assert.Equal(reach, trial.Reach);
         Assert.Equal(1, trial.Log.Events.Count);
 
         BallState away = simulator.Launch(new Vector3d(2, 0.3, 0), new Vector3d(-10, 2, 0), default);
         BallState stepped = away;
         simulator.Step(ref stepped, 0.1, new StepLog());
-        trial.Run(simulator, in away, 0.1, StopAt.Time, haltsAtPush: true, StepBudget.New);
+        trial.Run(simulator, in away, 0.1, StopAt.Time, haltsAtPush: true, default);
         Assert.True(Snapshot.Same(in stepped, in trial.End));
         Assert.Equal((0, double.PositiveInfinity, 0), (trial.From, trial.HaltsAt, trial.Log.Events.Count));
         int index = 0;
@@ -149,10 +149,10 @@ public sealed class BallTrialTests
         // Raised out of the ground at the start: that is part of its way, as what it is put to at the end.
         BallState low = away;
         low.Position = new Vector3d(2, -0.39, 0);
-        trial.Run(simulator, in low, 0, StopAt.Time, haltsAtPush: true, StepBudget.New);
+        trial.Run(simulator, in low, 0, StopAt.Time, haltsAtPush: true, default);
         Assert.Equal(0.5, trial.Reach, 1e-14);
         low.Velocity = Vector3d.Zero;
-        trial.Run(simulator, in low, 1e-6, StopAt.Time, haltsAtPush: true, StepBudget.New);
+        trial.Run(simulator, in low, 1e-6, StopAt.Time, haltsAtPush: true, default);
         Assert.Equal(0.5, trial.Reach, 1e-5);
     }
 

@@ -21,7 +21,7 @@ public sealed class StepBudgetTests
     {
         FieldInfo[] counters = typeof(StepBudget).GetFields(BindingFlags.Public | BindingFlags.Instance);
         Assert.InRange(counters.Length, 10, 30);
-        object spent = StepBudget.New;
+        object spent = default(StepBudget);
         for (int i = 0; i < counters.Length; i++)
         {
             counters[i].SetValue(spent, Convert.ChangeType(1 + (i % 7) + (7 * (i % 2)), counters[i].FieldType, CultureInfo.InvariantCulture));
@@ -29,7 +29,7 @@ public sealed class StepBudgetTests
 
         var log = new StepLog { Continues = true, Spent = (StepBudget)spent };
         var run = new StepRun(0.01, 0, log);
-        log.Spent = StepBudget.New;
+        log.Spent = default;
         run.Close();
         object after = log.Spent;
         Assert.All(counters, counter => Assert.Equal(counter.GetValue(spent), counter.GetValue(after)));

@@ -54,7 +54,7 @@ public sealed class ContactToleranceTests
         ContactTolerances.Overlap,
         ContactTolerances.PileOverlap,
         ContactTolerances.BallOverlap,
-        ContactTolerances.Lingering,
+        ContactTolerances.Rattling,
     ];
 
     private static readonly double[] Speeds =

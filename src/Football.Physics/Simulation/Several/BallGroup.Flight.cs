@@ -169,7 +169,7 @@ public sealed partial class BallGroup
                 _motions.PutBack();
             }
 
-            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
+            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time, haltsAtPush: false, default);
             _reaches[i] = _measure.Reach;
             holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
         }

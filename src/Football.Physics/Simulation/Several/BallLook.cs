@@ -56,7 +56,7 @@ internal sealed class BallLook
     public static bool TryTake(ref BallState s, in BallState from, in BallState end, double time, StepLog log, StepLog own)
     {
         bool isSame = end.Time == time && from.Time == s.Time && from.Position == s.Position && from.Velocity == s.Velocity && from.Spin == s.Spin
-            && from.ClearUntil == s.ClearUntil && from.Motion == s.Motion && from.Carrier == s.Carrier && from.SqueezeUntil == s.SqueezeUntil;
+            && from.ClearUntil == s.ClearUntil && from.Motion == s.Motion && from.Carrier == s.Carrier;
         if (!isSame || log.Pushed || log.Halted || log.Events.Dropped > 0 || own.Observer is not null)
         {
             return false;

@@ -76,7 +76,7 @@ internal sealed class BallTrial : PieceObserver
     /// <returns>False if the path could not be kept; the ball has then not moved.</returns>
     public bool TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
     {
-        Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
+        Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, default);
         IsWhole = TryTake(ref s, s.Time + dt, own);
         return IsWhole;
     }

@@ -28,9 +28,13 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     /// <param name="fastest">Its greatest speed at the events of the step, m/s.</param>
     public void Begin(int ball, in BallState after, double fastest)
     {
-        // Only a step with a push needs the roots.
         ref readonly BallState from = ref before[ball];
-        double most = Math.Max(fastest, after.SqueezeSpeed);
+
+        // Movers give a squeezed ball at most twice their speed, without an event.
+        bool isSqueezed = from.Motion == MotionState.Pinned || after.Motion == MotionState.Pinned;
+        double most = Math.Max(fastest, isSqueezed ? 2.0 * simulators[ball].World.FastestMover : 0);
+
+        // Only a step with a push needs the roots.
         _sweeps[ball] = new Sweep
         {
             Speed = Math.Max(Math.Max(from.Velocity.LengthSquared, after.Velocity.LengthSquared), most * most),
