@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Text.Json;
 using FootballPhysics.Labs.BankShots;
 using FootballPhysics.Labs.Derivatives;
+using FootballPhysics.Labs.Forces;
 using FootballPhysics.Labs.Goals;
 using FootballPhysics.Labs.Groups;
 using FootballPhysics.Labs.Intercept;
@@ -184,7 +185,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));

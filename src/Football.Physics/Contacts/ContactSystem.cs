@@ -56,6 +56,17 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>The holding torque per moment of inertia, rad/s².</summary>
     public double HeldSpin;
 
+    public ForceTrace* Trace { get; set; }
+
+    /// <summary>Forgets the custom forces so far: the next ones are those at the start of a piece.</summary>
+    public readonly void BeginTrace()
+    {
+        if (Trace != null)
+        {
+            Trace->Begin(Around.Radius);
+        }
+    }
+
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
         for (int i = 0; i < Count; i++)
@@ -85,7 +96,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         Vector3d u = at.Velocity - Around.Wind;
         bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
-        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        Around.Air.Evaluate(in ball, Branch, out AirFactors air, Trace);
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
 

@@ -5,7 +5,7 @@ namespace FootballPhysics.Contacts;
 
 /// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump in the drag
 /// law.</summary>
-internal struct FlightSystem : IMotionSystem
+internal unsafe struct FlightSystem : IMotionSystem
 {
     public Surroundings Around;
     public DragBranch Branch;
@@ -17,6 +17,8 @@ internal struct FlightSystem : IMotionSystem
     /// <summary>The nets that stay slack for the entire piece; the others stay taut. If null, the velocity decides at each instant.</summary>
     public ulong? NetsSlack;
 
+    public ForceTrace* Trace { get; set; }
+
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
@@ -26,7 +28,13 @@ internal struct FlightSystem : IMotionSystem
         }
 
         // Filippov: on the surface of the jump, the weighted mean of both branches keeps the ball on the surface.
+        int stages = Trace == null ? 0 : Trace->Count + 1;
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
+        if (Trace != null)
+        {
+            Trace->Count = stages; // both branches have the same custom forces
+        }
+
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         rates = new MotionRates(
             noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
@@ -58,7 +66,7 @@ internal struct FlightSystem : IMotionSystem
         if (around.Air.Varies)
         {
             var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
-            around.Air.Evaluate(in ball, branch, out air);
+            around.Air.Evaluate(in ball, branch, out air, Trace);
         }
         else
         {

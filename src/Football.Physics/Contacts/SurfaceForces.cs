@@ -40,6 +40,9 @@ internal struct SurfaceForces
     /// <summary>Custom forces, m/s². They wake a ball at rest even if the air does not.</summary>
     public Vector3d Own;
 
+    /// <summary>Their torques, rad/s².</summary>
+    public Vector3d OwnTorque;
+
     /// <summary>Torques of the air, nets and custom forces, rad/s².</summary>
     public Vector3d Torque;
 

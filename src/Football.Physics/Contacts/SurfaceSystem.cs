@@ -14,7 +14,7 @@ namespace FootballPhysics.Contacts;
 /// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
 /// The normal part of v̇ keeps the ball on the surface.
 /// </remarks>
-internal struct SurfaceSystem : IMotionSystem
+internal unsafe struct SurfaceSystem : IMotionSystem
 {
     /// <summary>The share of the distance to the singularity of the direction that a part takes, and the greatest product of length and turning rate.</summary>
     private const double ShareOfPart = 0.6;
@@ -85,6 +85,8 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Spin decay by the air in a slide if it exceeds the torque of friction, rad/s²; otherwise 0.</summary>
     /// <remarks>The spin can then only decrease.</remarks>
     private double _ending;
+
+    public ForceTrace* Trace { get; set; }
 
     /// <summary>Creates the system of a ball on a carrier, which slides unless <see cref="Rolls"/> is set.</summary>
     /// <param name="around">The forces.</param>
@@ -195,7 +197,7 @@ internal struct SurfaceSystem : IMotionSystem
         // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
         double rate = Around.Air.Varies
-            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air)
+            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air, Trace)
             : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
@@ -203,6 +205,7 @@ internal struct SurfaceSystem : IMotionSystem
         load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Own = air.Acceleration;
+        on.OwnTorque = air.SpinAcceleration;
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;

@@ -126,7 +126,7 @@ public sealed class Ball
     /// <param name="into">Receives the path and the events.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="InvalidOperationException">A custom force is not finite, or is too stiff for any step.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public void LookAhead(LookAheadRequest request, Trajectory into) => Simulator.LookAhead(in _state, request, into);
 
     /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>

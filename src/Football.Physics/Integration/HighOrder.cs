@@ -43,6 +43,16 @@ internal sealed unsafe class HighOrder
             5.42937341165687622380535766363e-2, 4.45031289275240888144113950566, 1.89151789931450038304281599044, -5.8012039600105847814672114227, 3.1116436695781989440891606237e-1, -1.52160949662516078556178806805e-1, 2.01365400804030348374776537501e-1, 4.47106157277725905176885569043e-2,
         ]);
 
+    /// <summary>The weights of the stages of <see cref="Eighth"/> in an estimate of its error of order 5 (ER of DOP853).</summary>
+    public static readonly double[] FifthError =
+    [
+        0.1312004499419488073250102996e-1, 0, 0, 0, 0, -0.1225156446376204440720569753e1, -0.4957589496572501915214079952, 0.1664377182454986536961530415e1,
+        -0.3503288487499736816886487290, 0.3341791187130174790297318841, 0.8192320648511571246570742613e-1, -0.2235530786388629525884427845e-1,
+    ];
+
+    /// <summary>The same of order 3 (B − BHH).</summary>
+    public static readonly double[] ThirdError = Eighth.EndLess(0.244094488188976377952755905512, 0.733846688281611857341361741547, 0.220588235294117647058823529412e-1);
+
     /// <summary>The maximum number of stages.</summary>
     private const int Most = 12;
 
@@ -66,12 +76,14 @@ internal sealed unsafe class HighOrder
     /// <param name="from">The motion at the start.</param>
     /// <param name="start">The rates at the start: the first stage.</param>
     /// <param name="h">The length of the step, in s.</param>
+    /// <param name="turnsByStages">True if the rotation has the order of the method, and not only that of a cubic through both ends.</param>
     /// <param name="step">The result of the step.</param>
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, bool turnsByStages, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
         Stage* stages = stackalloc Stage[Most];
         stages[0].Velocity = from.Velocity;
+        stages[0].Spin = from.Spin;
         stages[0].Rates = start;
         double[] weights = _weights;
         int count = Stages;
@@ -101,20 +113,59 @@ internal sealed unsafe class HighOrder
             }
 
             stages[i].Velocity = at.Velocity;
+            stages[i].Spin = at.Spin;
             system.Rates(time + (_nodes[i] * h), in at, out stages[i].Rates);
         }
 
         // The spin at the middle, from the cubic through both ends, because the last stage is at the end.
         Vector3d middle = (0.5 * (from.Spin + at.Spin)) + (0.125 * h * (start.SpinAcceleration - stages[count - 1].Rates.SpinAcceleration));
+        if (turnsByStages)
+        {
+            // With this spin at the middle, Simpson's rule returns the mean of the stages.
+            middle = (1.5 * MeanSpin(stages)) - (0.25 * (from.Spin + at.Spin));
+        }
+
         step.End = at;
         step.Rotation = RotationVector.Of(in from.Spin, in middle, in at.Spin, h);
         step.StartRates = start;
+    }
+
+    /// <summary>Returns the weights of the end, less those of a method that uses the stages 0, 8 and 11.</summary>
+    private double[] EndLess(double first, double ninth, double last)
+    {
+        double[] less = new double[Stages];
+        int begin = _firstOfRow[Stages];
+        int row = _weights.Length - 1 - (Stages - begin);
+        less[0] = _weights[row] - first;
+        for (int i = begin; i < Stages; i++)
+        {
+            less[i] = _weights[row + 1 + i - begin];
+        }
+
+        less[8] -= ninth;
+        less[11] -= last;
+        return less;
+    }
+
+    /// <summary>Returns the mean of the spin in a step, by the weights of its end.</summary>
+    private Vector3d MeanSpin(Stage* stages)
+    {
+        int begin = _firstOfRow[Stages];
+        int row = _weights.Length - 1 - (Stages - begin);
+        Vector3d mean = _weights[row] * stages[0].Spin;
+        for (int i = begin; i < Stages; i++)
+        {
+            mean += _weights[row + 1 + i - begin] * stages[i].Spin;
+        }
+
+        return mean;
     }
 
     /// <summary>The rates at a stage: the velocity is that of the position.</summary>
     private struct Stage
     {
         public Vector3d Velocity;
+        public Vector3d Spin;
         public MotionRates Rates;
     }
 }

@@ -1,8 +1,11 @@
 namespace FootballPhysics.Integration;
 
 /// <summary>A motion for general steps: it computes the rates at any instant.</summary>
-internal interface IMotionSystem
+internal unsafe interface IMotionSystem
 {
+    /// <summary>Receives the custom forces of every evaluation; null if nobody needs them.</summary>
+    ForceTrace* Trace { get; set; }
+
     /// <summary>Computes v̇ and ω̇.</summary>
     void Rates(double time, in Motion at, out MotionRates rates);
 

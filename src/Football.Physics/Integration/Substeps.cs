@@ -88,7 +88,7 @@ internal struct Substeps : IMotionMethod
         }
 
         HighOrder high = share <= Medium ? HighOrder.Sixth : HighOrder.Eighth;
-        high.Advance(ref system, time, in from, in start, h, out step);
+        high.Advance(ref system, time, in from, in start, h, turnsByStages: false, out step);
         return high.Stages;
     }
 }

@@ -27,6 +27,10 @@ internal struct ConstantAir : IFlightAir
 
     public readonly bool HasSide => false;
 
+    public readonly bool Tilts => false;
+
+    public readonly Vector3d Sideways => Vector3d.Zero;
+
     public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

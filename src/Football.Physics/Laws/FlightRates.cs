@@ -74,6 +74,13 @@ internal static class FlightRates
         ax = (lift * cx) - (drag * ux);
         ay = ((lift * cy) - (drag * uy)) + upward;
         az = (lift * cz) - (drag * uz);
+        if (air.Tilts)
+        {
+            Vector3d sideways = air.Sideways;
+            ax += sideways.X;
+            az += sideways.Z;
+        }
+
         airSpeed = 0;
 
         // A side force depends on the distance flown through the air, so integrate this distance with the motion.

@@ -12,6 +12,12 @@ internal interface IFlightLaws
     /// <summary>True if the methods must call <see cref="Side"/>.</summary>
     bool HasSide { get; }
 
+    /// <summary>True if the methods must add <see cref="Sideways"/>. A constant of the type, except where <see cref="HasField"/> is not.</summary>
+    bool Tilts { get; }
+
+    /// <summary>The horizontal part of the acceleration by gravity and buoyancy, in m/s².</summary>
+    Vector3d Sideways { get; }
+
     /// <summary>Returns the variable wind in addition to the steady one, in m/s.</summary>
     /// <param name="time">The time, in s.</param>
     /// <param name="x">The x coordinate, in m.</param>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics.Laws;
 
 /// <summary>The sum of the custom forces, per mass and per moment of inertia.</summary>
-internal sealed class OwnForces
+internal sealed unsafe class OwnForces
 {
     private readonly IForce[] _forces;
     private readonly double _perMass;
@@ -17,9 +17,17 @@ internal sealed class OwnForces
     }
 
     /// <summary>Adds the accelerations of the custom forces.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="factors">Receives the accelerations.</param>
+    /// <param name="trace">Receives them too; null if nobody needs them.</param>
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
-    public void AddTo(in ForceContext ball, ref AirFactors factors)
+    public void AddTo(in ForceContext ball, ref AirFactors factors, ForceTrace* trace)
     {
+        if (trace != null && trace->IsWild)
+        {
+            return;
+        }
+
         // Pass the air-relative velocity, with the local wind, to the forces.
         ForceAndTorque sum = default;
         ForceContext seen = ball.In(in factors.AirVelocity);
@@ -32,8 +40,15 @@ internal sealed class OwnForces
             }
         }
 
-        factors.Acceleration += sum.Force * _perMass;
-        factors.SpinAcceleration += sum.Torque * _perInertia;
+        Vector3d acceleration = sum.Force * _perMass;
+        Vector3d spinAcceleration = sum.Torque * _perInertia;
+        factors.Acceleration += acceleration;
+        factors.SpinAcceleration += spinAcceleration;
+        if (trace != null)
+        {
+            trace->Add(in acceleration, in spinAcceleration);
+            trace->Last = new Motion(ball.Position, ball.Velocity, ball.Spin, ball.AirDistance);
+        }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

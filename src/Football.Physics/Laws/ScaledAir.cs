@@ -56,7 +56,7 @@ public sealed class ScaledAir : IForce
     /// <summary>Returns the only custom force of a scene if it scales the scene's own laws; otherwise null.</summary>
     /// <remarks>Such a force is merged into the laws, and the axis of the spin stays constant.</remarks>
     internal static ScaledAir? AloneIn(Scene scene) =>
-        scene.Forces.CustomForces.Count == 1 && scene.Sideways == Vector3d.Zero && scene.Forces.CustomForces[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
+        scene.Forces.CustomForces.Count == 1 && scene.Forces.CustomForces[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
     /// <summary>Returns true if a scene has the same ball, air and laws as the scene of this force.</summary>
     private bool IsMadeFor(Scene scene) =>

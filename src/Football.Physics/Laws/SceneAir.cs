@@ -7,7 +7,7 @@ namespace FootballPhysics.Laws;
 /// <remarks>
 /// All code except the hot flight step uses it. If the air varies, jumps in the drag law are not located: each evaluation uses the branch at its own flow.
 /// </remarks>
-internal struct SceneAir : IFlightAir
+internal unsafe struct SceneAir : IFlightAir
 {
     private readonly AirLaws _laws;
     private readonly IWind? _wind;
@@ -16,6 +16,7 @@ internal struct SceneAir : IFlightAir
     private readonly WindByHeight? _byHeight;
     private readonly KnuckleForce? _knuckle;
     private readonly OwnForces? _own;
+    private readonly Vector3d _sideways;
     private readonly double _radiusSquared;
     private readonly bool _hasField;
     private readonly bool _jumpsInField;
@@ -28,6 +29,8 @@ internal struct SceneAir : IFlightAir
         _knuckle = KnuckleForce.Of(scene);
         _own = hasOwnForces ? new OwnForces(scene) : null;
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _sideways = Scenes.Weight.Sideways(scene);
+        Tilts = scene.IsTilted;
         _hasField = HasFieldIn(scene);
         _jumpsInField = _hasField && laws.Jumps;
         Jumps = !_hasField && laws.Jumps;
@@ -49,16 +52,20 @@ internal struct SceneAir : IFlightAir
     /// <summary>True if spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
-    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
+    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null || Tilts;
 
     public readonly bool HasField => _hasField;
 
     public readonly bool HasSide => _knuckle is not null;
 
+    public readonly bool Tilts { get; }
+
+    public readonly Vector3d Sideways => _sideways;
+
     public readonly bool Jumps { get; }
 
     /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay.</summary>
-    /// <remarks>Flight then calls only <see cref="Evaluate"/>.</remarks>
+    /// <remarks>Flight then calls only <see cref="Evaluate(in ForceContext, DragBranch, out AirFactors)"/>.</remarks>
     public readonly bool Varies { get; }
 
     /// <summary>True if the scene has custom forces. Their torques can turn the spin, so that the flight has no constant axis.</summary>
@@ -122,12 +129,16 @@ internal struct SceneAir : IFlightAir
         }
     }
 
+    /// <inheritdoc cref="Evaluate(in ForceContext, DragBranch, out AirFactors, ForceTrace*)"/>
+    public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors) => Evaluate(in ball, branch, out factors, null);
+
     /// <summary>Computes the effect of the air and of custom forces at one instant, for any motion.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
     /// <param name="factors">The effect of the air.</param>
+    /// <param name="trace">Receives the custom forces; null if nobody needs them.</param>
     /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
-    public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors)
+    public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors, ForceTrace* trace)
     {
         // u = v − W(p, t)
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
@@ -142,7 +153,7 @@ internal struct SceneAir : IFlightAir
             factors.Acceleration = Side(in u, in w, ball.AirDistance);
         }
 
-        _own?.AddTo(in ball, ref factors);
+        _own?.AddTo(in ball, ref factors, trace);
         return rate;
     }
 

@@ -15,6 +15,9 @@ public static class Limits
     /// <summary>The maximum duration of a step, frame, run or look-ahead, in s.</summary>
     public const double Time = 1e12;
 
+    /// <summary>The maximum stated stiffness of a custom force, in 1/s.</summary>
+    internal const double Stiffness = 1e6;
+
     /// <summary>The last tick: 30 years in steps of a microsecond.</summary>
     internal const long Tick = 1_000_000_000_000_000;
 }

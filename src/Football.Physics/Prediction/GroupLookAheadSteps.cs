@@ -31,9 +31,8 @@ internal sealed class GroupLookAheadSteps(BallGroup group, Trajectory[] into)
         _hasBegun = false;
         _hasEnded = false;
 
-        // All balls share one step length. With custom forces, it is at most the longest step that is not divided.
-        bool hasOwnForces = _group.SimulatorOf(0).Scene.HasOwnForces;
-        _step = hasOwnForces ? Math.Min(request.TimeStep, SimulatorExtensions.LongestOwnStep) : request.TimeStep;
+        // All balls share one step length.
+        _step = request.TimeStep;
         _end = from[0].Time + request.Duration;
         _last = _end - (ContactTolerances.StepRounding * _step);
         for (int i = 0; i < _into.Length; i++)

@@ -11,9 +11,8 @@ public sealed record LookAheadRequest
 
     /// <summary>The length of a step, in s. Above 0, at least 1e-12 of the duration; default 0.08.</summary>
     /// <remarks>
-    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air. With them, a step above 40 ms is divided until a step and
-    /// its two halves agree to 1 µm. If a force is too stiff for this, the look-ahead throws. With the game's own integrator and step, the prediction is
-    /// bit-identical to the later simulation.
+    /// With RK4, the default is accurate to a few micrometres. Where a custom force is too stiff for the step, the simulator divides it, as in the game
+    /// (see <see cref="IForce"/>). With the game's own integrator and step, the prediction is bit-identical to the later simulation.
     /// </remarks>
     public double TimeStep { get; init; } = 0.08;
 

@@ -38,7 +38,6 @@ public sealed class LookAheadRun
     public bool IsRunning { get; private set; }
 
     /// <summary>The number of steps since the start.</summary>
-    /// <remarks>If a stiff custom force divides a step, the step is counted once for each length that is tried.</remarks>
     public long Steps { get; private set; }
 
     /// <summary>Starts a look-ahead without taking a step, and cancels any look-ahead that is running.</summary>
@@ -67,7 +66,7 @@ public sealed class LookAheadRun
     /// <returns>True if the look-ahead is finished; false if it will continue.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maximumSteps"/> is below 1.</exception>
     /// <exception cref="InvalidOperationException">
-    /// No look-ahead is running, another look-ahead has used the trajectory, or a custom force is not finite or too stiff for any step.
+    /// No look-ahead is running, another look-ahead has used the trajectory, or a custom force is not finite.
     /// </exception>
     public bool Continue(int maximumSteps)
     {

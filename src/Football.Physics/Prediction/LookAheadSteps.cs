@@ -9,10 +9,8 @@ internal struct LookAheadSteps
     private readonly Simulator _simulator;
     private readonly LookAheadRequest _request;
     private readonly Trajectory _into;
-    private readonly bool _isAdaptive;
     private readonly double _end;
     private readonly double _last;
-    private double _step;
 
     /// <summary>The ball.</summary>
     public BallState State;
@@ -31,24 +29,19 @@ internal struct LookAheadSteps
         _request = request;
         _into = into;
 
-        // With moving bodies, the steps must be known in advance: use short steps for custom forces, because stiff forces may divide longer ones.
-        bool isLong = simulator.Scene.HasOwnForces && request.TimeStep > SimulatorExtensions.LongestOwnStep;
-        _isAdaptive = isLong && into.OnStep is null;
-        double longest = isLong && !_isAdaptive ? SimulatorExtensions.LongestOwnStep : request.TimeStep;
-        _step = _isAdaptive ? Math.Min(OwnForceSteps.FirstStep, longest) : longest;
         _end = from.Time + request.Duration;
 
         // A remainder below a billionth of a step is only rounding error of the clock.
-        _last = _end - (ContactTolerances.StepRounding * longest);
+        _last = _end - (ContactTolerances.StepRounding * request.TimeStep);
         State = from;
         into.Log.Halted = false;
         into.Log.StopAt = request.StopAt;
     }
 
     /// <summary>True if the time has run out, or an event has ended the look-ahead.</summary>
-    public readonly bool HasEnded => !(State.Time < _last) || _into.Log.Halted || (_isAdaptive && _simulator.StaysAtRest(in State));
+    public readonly bool HasEnded => !(State.Time < _last) || _into.Log.Halted;
 
-    /// <summary>Takes one step, or rejects one that custom forces make too inaccurate.</summary>
+    /// <summary>Takes one step.</summary>
     /// <returns>False if the look-ahead had already ended.</returns>
     public bool Take()
     {
@@ -57,15 +50,8 @@ internal struct LookAheadSteps
             return false;
         }
 
-        StepLog log = _into.Log;
         double left = _end - State.Time;
-        if (_isAdaptive)
-        {
-            OwnForceSteps.Take(_simulator, ref State, ref _step, left, _request.TimeStep, log, _into.Trial);
-            return true;
-        }
-
-        _simulator.Advance(ref State, _step < left ? _step : left, log);
+        _simulator.Advance(ref State, _request.TimeStep < left ? _request.TimeStep : left, _into.Log);
         _into.OnStep?.Invoke(in State);
         return true;
     }

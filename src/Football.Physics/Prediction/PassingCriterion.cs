@@ -50,7 +50,7 @@ internal sealed class PassingCriterion
         _hasGround = !scene.Ground.IsNone;
 
         // Obstacles can throw the ball back, and custom forces and variable winds have unknown effects.
-        _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.HasOwnForces || SceneAir.HasFieldIn(scene);
+        _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.HasOwnForces || scene.IsTilted || SceneAir.HasFieldIn(scene);
     }
 
     /// <summary>True if the ball comes no closer after a segment.</summary>

@@ -6,9 +6,6 @@ namespace FootballPhysics;
 /// <summary>Predicts paths by simulating a copy of the state, and warms up a simulator.</summary>
 public static class SimulatorExtensions
 {
-    /// <summary>The longest step, in s, that is not divided if there are custom forces.</summary>
-    internal const double LongestOwnStep = 0.04;
-
     /// <summary>The step of a warm-up, in s, and the maximum number of steps until a ball rests.</summary>
     private const double Frame = 1.0 / 60.0;
     private const int MostFrames = 1200;
@@ -23,7 +20,7 @@ public static class SimulatorExtensions
     /// <exception cref="ArgumentException"><paramref name="from"/> was never launched.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="InvalidOperationException">A custom force is not finite, or is too stiff for any step.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
         Check.Given(nameof(simulator), simulator);

@@ -59,10 +59,10 @@ public sealed partial class Trajectory
     /// <summary>The number of evaluations of the equations of motion.</summary>
     public long Evaluations => Log.Evaluations;
 
-    internal StepLog Log { get; } = new();
+    /// <summary>The number of steps whose custom forces the look-ahead could not follow (see <see cref="StepLog.StiffSteps"/>).</summary>
+    public long StiffSteps => Log.StiffSteps;
 
-    /// <summary>The log of trial steps, which are not part of the path.</summary>
-    internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
+    internal StepLog Log { get; } = new();
 
     internal int Count { get; set; }
 

@@ -63,11 +63,16 @@ public sealed record ForceSet
         Check.Member("forces.customForces", CustomForces);
 
         // Check this now, so that a null fails where the list is set and not in the first step.
-        foreach (IForce force in CustomForces)
+        for (int i = 0; i < CustomForces.Count; i++)
         {
-            if (force is null)
+            if (CustomForces[i] is null)
             {
                 throw new ArgumentNullException("forces.customForces", "forces.customForces contains null. Remove the null item.");
+            }
+
+            if (CustomForces[i] is IStiffForce stiff)
+            {
+                Check.Within(Check.Item("forces.customForces", i) + ".stiffness", stiff.Stiffness, 0, Limits.Stiffness);
             }
         }
     }

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Laws;
 
 /// <summary>A custom force or torque of your game.</summary>
@@ -17,10 +19,28 @@ public interface IForce
     /// <summary>Creates a force from a function, for example <c>IForce.From(ball => new Vector3d(0.4, 0, 0))</c>.</summary>
     /// <param name="force">A function that returns the force on the ball at one instant, in N.</param>
     /// <exception cref="ArgumentNullException"><paramref name="force"/> is null.</exception>
-    static IForce From(Func<ForceContext, Vector3d> force) => new FunctionForce(force ?? throw new ArgumentNullException(nameof(force)));
+    static IForce From(Func<ForceContext, Vector3d> force) => From(force, 0);
 
-    private sealed class FunctionForce(Func<ForceContext, Vector3d> force) : IForce
+    /// <summary>Creates a force from a function, and states its stiffness, see <see cref="IStiffForce"/>.</summary>
+    /// <param name="force">A function that returns the force on the ball at one instant, in N.</param>
+    /// <param name="stiffness">The greatest rate at which the force changes the motion, in 1/s; 0 … 1e6. 0: not known.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="force"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="stiffness"/> is out of range.</exception>
+    static IForce From(Func<ForceContext, Vector3d> force, double stiffness)
     {
+        if (force is null)
+        {
+            throw new ArgumentNullException(nameof(force));
+        }
+
+        Check.Within(nameof(stiffness), stiffness, 0, Limits.Stiffness);
+        return new FunctionForce(force, stiffness);
+    }
+
+    private sealed class FunctionForce(Func<ForceContext, Vector3d> force, double stiffness) : IStiffForce
+    {
+        public double Stiffness => stiffness;
+
         public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(force(ball));
     }
 }

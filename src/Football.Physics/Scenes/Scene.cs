@@ -44,8 +44,11 @@ public sealed record Scene
     /// <summary>The horizontal part of gravity, in m/s².</summary>
     internal Vector3d Sideways { get; init; }
 
-    /// <summary>True if a custom force acts, or gravity is not straight down.</summary>
-    internal bool HasOwnForces => Forces.CustomForces.Count > 0 || Sideways != Vector3d.Zero;
+    /// <summary>True if gravity is not straight down.</summary>
+    internal bool IsTilted => Sideways != Vector3d.Zero;
+
+    /// <summary>True if a custom force acts.</summary>
+    internal bool HasOwnForces => Forces.CustomForces.Count > 0;
 
     /// <summary>The forces that act, and the law of each. Default: all, with the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();

@@ -9,8 +9,15 @@ internal static class Weight
     /// <summary>Returns the acceleration, in m/s². Buoyancy opposes gravity, even if gravity is not straight down.</summary>
     public static Vector3d Of(Scene scene)
     {
+        Vector3d sideways = Sideways(scene);
+        return new Vector3d(sideways.X, UpwardAcceleration(scene), sideways.Z);
+    }
+
+    /// <summary>Returns the horizontal part of this acceleration, in m/s²; zero unless gravity is tilted.</summary>
+    public static Vector3d Sideways(Scene scene)
+    {
         double share = 1.0 - (scene.Forces.Buoyancy ? Buoyancy.DisplacedMass(scene.Ball, scene.Air) / scene.Ball.Mass : 0);
-        return new Vector3d(share * scene.Sideways.X, UpwardAcceleration(scene), share * scene.Sideways.Z);
+        return share * scene.Sideways;
     }
 }
 

@@ -104,7 +104,7 @@ internal sealed partial class ContactSetParts
             }
             else
             {
-                Correct(in s, set, ref next);
+                Correct(in s, set, ref run, ref next);
                 run.Log.Evaluations++;
             }
 
@@ -134,17 +134,46 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Corrects the predicted motion with the mean of the forces at both ends.</summary>
-    private void Correct(in BallState s, scoped Span<Contact> set, ref SetPart part)
+    private void Correct(in BallState s, scoped Span<Contact> set, ref StepRun run, ref SetPart part)
     {
         double h = part.Length;
         ref readonly Motion from = ref part.From;
         var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + part.Velocity)), in part.Velocity, in part.Spin, s.AirDistance);
         MotionRates there = Free(in s, s.Time + h, in end, h);
+        if (_around.Air.HasOwnForces && !((there.Acceleration - part.Start.Acceleration).Length <= part.Start.Acceleration.Length))
+        {
+            LimitOwn(in s, h, ref run, ref part.Start, ref there);
+        }
+
         part.Velocity = from.Velocity + ((0.5 * h) * (part.Start.Acceleration + there.Acceleration));
         part.Spin = from.Spin + ((0.5 * h) * (part.Start.SpinAcceleration + there.SpinAcceleration));
         var unheld = new Motion(from.Position, in part.Velocity, in part.Spin);
         part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
         SolvedSet.Correct(set, _world.Ball, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
+    }
+
+    /// <summary>Reduces custom forces that are too stiff for a part, and takes them as constant.</summary>
+    private void LimitOwn(in BallState s, double h, ref StepRun run, ref MotionRates start, ref MotionRates there)
+    {
+        Vector3d u = s.Velocity - _around.Wind;
+        var ball = new ForceContext(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance);
+        DragBranch branch = _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance));
+        _around.Air.Evaluate(in ball, branch, out AirFactors air);
+        AirFactors limited = air;
+        run.Log.Evaluations += 2;
+        if (PartForces.LimitOwn(_around, in ball, branch, h, ref limited) > 1)
+        {
+            Vector3d change = limited.Acceleration - air.Acceleration;
+            if (!_world.SharesAir)
+            {
+                Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
+                change -= Vector3d.Dot(in change, in n) * n;
+            }
+
+            start = new MotionRates(start.Acceleration + change, start.SpinAcceleration + limited.SpinAcceleration - air.SpinAcceleration, start.AirSpeed);
+            there = start;
+            run.CountStiff();
+        }
     }
 
     /// <summary>Moves the ball to the end of a part or to the first contact, then projects it onto its contacts.</summary>

@@ -43,8 +43,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private readonly StabilityLimit _limit;
     private readonly NetGuard _nets;
     private readonly ContactSetParts _parts;
+    private readonly OwnForceGuard? _own;
 
-    public ContactSetPhase(Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ContactSetParts parts)
+    public ContactSetPhase(Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ContactSetParts parts, OwnForceGuard? own)
     {
         _around = around;
         _world = around.World;
@@ -54,6 +55,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         _contact = contact;
         _nets = new NetGuard(_world);
         _parts = parts;
+        _own = own;
     }
 
     /// <summary>Takes the next piece if several contacts are active. If another single contact is active, it becomes the carrier.</summary>
@@ -75,6 +77,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         var piece = new SetPiece { System = new ContactSystem { Around = _around, World = _world, Contacts = contacts, Count = set.Length } };
+        ForceTrace trace;
+        piece.System.Trace = _own is null ? null : &trace;
         switch (Propose(ref s, ref run, set, ref piece))
         {
             case SetMotion.One:
@@ -85,31 +89,48 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 return true;
         }
 
-        if (s.Nets != 0)
+        bool taken;
+        _own?.Shorten(ref piece.Length, s.Nets != 0 ? piece.System.LongestPart(in piece.From, default) : double.PositiveInfinity, ref run);
+        if (s.Nets != 0 && _own is null)
         {
-            return Take<Substeps>(ref s, ref run, set, ref piece);
+            Take<Substeps>(ref s, ref run, set, ref piece, out taken);
+        }
+        else if (run.Followed > 0
+            || !(run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece, out taken) : Take<TIntegrator>(ref s, ref run, set, ref piece, out taken)))
+        {
+            Take<EighthOrder>(ref s, ref run, set, ref piece, out taken);
         }
 
-        return run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece) : Take<TIntegrator>(ref s, ref run, set, ref piece);
+        return taken;
     }
 
+    /// <summary>Takes a piece up to its first event, moves the ball, and handles the event. If the set has no solution, takes the parts instead.</summary>
+    /// <returns>False if the method does not follow the custom forces. The ball has not moved then.</returns>
     [SkipLocalsInit]
-    private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
+    private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece, out bool taken)
         where TMethod : struct, IMotionMethod
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
-        Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        taken = true;
+        if (!Integrate(in s, ref run, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep))
+        {
+            return false;
+        }
+
+        piece.System.Trace = null;
         if (!SetGuard.IsFinite(sweep.EndMotion))
         {
             run.Log.Evaluations += sweep.Evaluations;
-            return _parts.Take(ref s, ref run);
+            taken = _parts.Take(ref s, ref run);
+            return true;
         }
 
         Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
         if (SetGuard.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length, default(TMethod).Order))
         {
             s.Branch = piece.System.Branch;
-            return _parts.Take(ref s, ref run);
+            taken = _parts.Take(ref s, ref run);
+            return true;
         }
 
         Move(ref s, ref run, ref sweep, set, in piece);
@@ -132,6 +153,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         system.Branch = _jump.OnSurface(s.Branch, in piece.From);
+        system.BeginTrace();
         int evaluations = 0;
         double sticking = run.SetPieces < ManyPieces ? ContactTolerances.Sticking : ContactTolerances.StickingAfterMany;
         bool found = ContactModes.Find(ref system, s.Time, in piece.From, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
@@ -171,6 +193,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Unmoved))
         {
+            system.BeginTrace();
             system.Rates(s.Time, in stuck, out MotionRates rates);
             run.Log.Evaluations++;
             system.Acceleration = rates.Acceleration;
@@ -183,14 +206,22 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return SetMotion.Several;
     }
 
-    private static void Integrate<TMethod>(in BallState s, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
+    /// <summary>Integrates a piece.</summary>
+    /// <returns>False if the method does not follow the custom forces.</returns>
+    private bool Integrate<TMethod>(in BallState s, ref StepRun run, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
         ref readonly ContactSystem system = ref piece.System;
         var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
         sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in start, system.Around.Wind, system.Around.Radius);
         SetMargin<TMethod>.Start(ref sweep, in s, in piece.From, starts);
+        if (_own is not null)
+        {
+            return _own.Take(ref sweep, piece.Length, system.Trace, ref run);
+        }
+
         sweep.Step(piece.Length);
+        return true;
     }
 
     /// <summary>Ends a piece at the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction limit, slip, rest), a

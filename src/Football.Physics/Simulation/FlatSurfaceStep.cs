@@ -63,7 +63,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _limit = limit;
         _jumps = around.Air.Jumps;
         _locatesJump = locatesJump;
-        _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && !scene.HasOwnForces;
+        _acts = !scene.Ground.IsNone && scene.Ground.Heights is null;
         _slides = settings.RollingTransition == RollingTransition.Exact;
         Tableau tableau = method.Tableau;
         (_offsets, _weights, _movesWithEnd, _order) = (tableau.Offsets, tableau.Weights, tableau.MovesWithEnd, method.Order);

@@ -24,6 +24,7 @@ internal sealed class FlightPhase<TIntegrator>
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly NetGuard _nets;
+    private readonly OwnForceGuard? _own;
     private readonly double _fastestWind;
 
     public FlightPhase(
@@ -32,7 +33,8 @@ internal sealed class FlightPhase<TIntegrator>
         in StabilityLimit limit,
         DragJumpGuard jump,
         WorldGuard guard,
-        WorldContact contact)
+        WorldContact contact,
+        OwnForceGuard? own)
     {
         _world = around.World;
         _guard = guard;
@@ -46,6 +48,7 @@ internal sealed class FlightPhase<TIntegrator>
         _system = new FlightSystem { Around = around };
         _gainsByHops = default(TIntegrator).GainsByHops;
         _fastestWind = around.Air.FastestWind;
+        _own = own;
     }
 
     /// <summary>Takes the next piece of a flight.</summary>
@@ -59,7 +62,8 @@ internal sealed class FlightPhase<TIntegrator>
 
         // RK4 does not speed up a velocity that turns by up to 2.8 rad. A net reacts within less than a step: use RK4 substeps.
         bool spirals = run.Spirals && run.Whole != WholeStep.Ends;
-        if (s.Nets != 0)
+        _own?.Shorten(ref h, s.Nets != 0 ? _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity) : double.PositiveInfinity, ref run);
+        if (s.Nets != 0 && _own is null)
         {
             TakeFreely<Substeps>(ref s, ref run, h);
         }
@@ -67,13 +71,9 @@ internal sealed class FlightPhase<TIntegrator>
         {
             TakeAlongAxis(ref s, ref run, h, spirals ? _classical : _flight!);
         }
-        else if (spirals)
+        else if (run.Followed > 0 || !(spirals ? TakeFreely<ClassicalRungeKutta>(ref s, ref run, h) : TakeFreely<TIntegrator>(ref s, ref run, h)))
         {
-            TakeFreely<ClassicalRungeKutta>(ref s, ref run, h);
-        }
-        else
-        {
-            TakeFreely<TIntegrator>(ref s, ref run, h);
+            TakeFreely<EighthOrder>(ref s, ref run, h);
         }
     }
 
@@ -89,18 +89,26 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    /// <returns>False if the method does not follow the custom forces. The ball has not moved then.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)] // its locals would be cleared in every piece
-    private void TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
+    [SkipLocalsInit]
+    private unsafe bool TakeFreely<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IMotionMethod
     {
-        Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
-        NetGuard.KeepFinite(ref sweep, in s);
+        ForceTrace trace;
+        if (!Integrate(in s, ref run, h, &trace, out MotionSweep<FlightSystem, TMethod> sweep))
+        {
+            return false;
+        }
+
         int order = default(TMethod).Order;
         if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
         {
             Move(ref s, ref run, ref sweep, order, in end);
             Respond(ref s, ref run, in end);
         }
+
+        return true;
     }
 
     /// <summary>Chooses the branch of the drag law, and the longest piece that stability allows.</summary>
@@ -160,7 +168,8 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Integrates a piece with the full spin vector.</summary>
-    private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, out MotionSweep<FlightSystem, TMethod> sweep)
+    /// <returns>False if the method does not follow the custom forces.</returns>
+    private unsafe bool Integrate<TMethod>(in BallState s, ref StepRun run, double h, ForceTrace* trace, out MotionSweep<FlightSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -168,11 +177,24 @@ internal sealed class FlightPhase<TIntegrator>
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
+        if (_own is not null)
+        {
+            trace->Begin(_around.Radius);
+            system.Trace = trace;
+        }
+
         system.Rates(s.Time, in from, out MotionRates start);
         system.NetsSlack = _nets.SlackAt(in s, start.Acceleration);
         run.Log.Evaluations++;
         sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
+        if (_own is not null)
+        {
+            return _own.Take(ref sweep, h, trace, ref run);
+        }
+
         sweep.Step(h);
+        NetGuard.KeepFinite(ref sweep, in s);
+        return true;
     }
 
     /// <summary>Ends a piece with a constant spin axis at the first event within it.</summary>
@@ -212,11 +234,11 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
-        if (goes && s.Nets != 0)
+        if (goes && (s.Nets != 0 || run.Followed > 0))
         {
             double length = sweep.Length;
             _nets.EndWhereSlack(ref sweep, in s, sweep.System.NetsSlack);
-            _nets.EndWhereBent(ref sweep, in s, -1);
+            _nets.EndWhereBent(ref sweep, in s, in run, -1);
             end.Branch = sweep.Length < length ? s.Branch : end.Branch;
         }
 

@@ -105,15 +105,16 @@ internal sealed class NetGuard
         }
     }
 
-    /// <summary>Shortens a piece next to a collider until the cubic that is searched matches the path, which a net bends
+    /// <summary>Shortens a piece next to a collider until the cubic that is searched matches the path, which a net or a stiff custom force bends
     /// strongly.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
+    /// <param name="run">The step of the ball.</param>
     /// <param name="carrier">The carrier; −1 if there is none.</param>
-    public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, int carrier)
+    public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, in StepRun run, int carrier)
         where TSweep : struct, ISweep
     {
-        for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
+        for (int i = 0; i < MostHalved && (s.Nets != 0 || run.Followed > 0) && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
         {
             // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, which is of fourth order in the length.
             double h = sweep.Length;

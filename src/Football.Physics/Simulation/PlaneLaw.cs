@@ -55,7 +55,7 @@ internal sealed class PlaneLaw<TAir>
         WindX = Vector3d.Dot(in wind, in Axes.X);
         WindUp = Vector3d.Dot(in wind, in Axes.Normal);
         WindZ = Vector3d.Dot(in wind, in Axes.Z);
-        var body = new Vector3d(0, around.Upward, 0);
+        Vector3d body = around.Weight;
         _bodyX = Vector3d.Dot(in body, in Axes.X);
         _bodyZ = Vector3d.Dot(in body, in Axes.Z);
         Weight = -Vector3d.Dot(in body, in Axes.Normal);

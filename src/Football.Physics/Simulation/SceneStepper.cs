@@ -66,15 +66,16 @@ internal class SceneStepper<TIntegrator> : Stepper
         // Friction may accelerate the ball more than gravity does.
         double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
+        OwnForceGuard? own = _air.HasOwnForces ? new OwnForceGuard(scene) : null;
         _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
-        var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
-        _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
+        var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts, own);
+        _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set, own);
         _rest = new RestPhase(around, guard, _contact, jump);
         _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
         Pile = new PilePhase(around, guard, _contact);
 
         // Custom forces turn the spin axis, so without a step along a constant axis, there are custom forces.
-        _flight = new FlightPhase<TIntegrator>(around, this as IFlight, Limit, jump, guard, _contact);
+        _flight = new FlightPhase<TIntegrator>(around, this as IFlight, Limit, jump, guard, _contact, own);
     }
 
     public override bool MayWake => _rest.MayWake;

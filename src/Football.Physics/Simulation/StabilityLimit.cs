@@ -68,7 +68,8 @@ internal readonly struct StabilityLimit
     public static StabilityLimit Of(Scene scene, in SceneAir air, double wholeUpTo, double upward, int order)
     {
         RateBound ofAir = air.Bound;
-        RateBound bound = WithFall(in ofAir, upward);
+        double weight = Math.Max(Math.Abs(upward), Scenes.Weight.Of(scene).Length);
+        RateBound bound = WithFall(in ofAir, weight);
 
         // Use the largest restitution, which applies to the slowest and most oblique impacts. Without weight there are no hops.
         double pieces = -upward > ContactTolerances.LeastLoad ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
@@ -77,7 +78,7 @@ internal readonly struct StabilityLimit
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
 
         // In a wind field, a long step would miss changes of the wind: keep the shorter pieces of the full bound.
-        RateBound usual = Math.Abs(upward) <= UsualWeight && !air.HasField ? WithFall(air.OrdinaryBound, upward) : bound;
+        RateBound usual = weight <= UsualWeight && !air.HasField ? WithFall(air.OrdinaryBound, weight) : bound;
         return new StabilityLimit(in bound, in usual, upward, wholeUpTo, pieces, spirals, order);
     }
 
@@ -91,8 +92,8 @@ internal readonly struct StabilityLimit
 
     /// <summary>Adds gravity to the bound of the air.</summary>
     /// <remarks>A ball that falls from rest reaches terminal velocity within about 1/√(P a).</remarks>
-    public static RateBound WithFall(in RateBound ofAir, double upward) =>
-        new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
+    public static RateBound WithFall(in RateBound ofAir, double weight) =>
+        new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(weight)));
 
     /// <summary>True if a step can be taken whole, by a fast, conservative test.</summary>
     /// <param name="h">Length of the step, s.</param>

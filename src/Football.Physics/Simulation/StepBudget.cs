@@ -64,6 +64,12 @@ internal struct StepBudget
     /// <summary>The speed that the fastest mover that hit the ball gives it, m/s.</summary>
     public double Fastest;
 
+    /// <summary>Pieces that were shorter than the budget allows for all, to follow custom forces.</summary>
+    public int ShortPieces;
+
+    /// <summary>True if custom forces were not followed.</summary>
+    public bool IsStiff;
+
     /// <summary>After this many events, a step of up to 0.25 s reports only rest, goals and squeezes, which are rare, and counts the
     /// others.</summary>
     private const int MostEvents = 20;

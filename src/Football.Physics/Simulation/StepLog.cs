@@ -28,6 +28,13 @@ public sealed partial class StepLog
     /// </remarks>
     public long StalledSteps { get; internal set; }
 
+    /// <summary>The number of steps in which a custom force changed faster than the integrator could follow.</summary>
+    /// <remarks>
+    /// A step is divided until its error is small, see <see cref="IForce"/>. If its evaluations do not suffice, the step is counted here, and the ball may keep its
+    /// position for the rest of the step. The count is 0 for a spring or a damping of up to 3 000/s in steps of up to 1/30 s.
+    /// </remarks>
+    public long StiffSteps { get; internal set; }
+
     /// <summary>The number of impacts and other events that were counted but not reported.</summary>
     /// <remarks>
     /// After the tenth impact at one instant, further impacts are resolved together and not reported. The same holds after the 14th event
@@ -41,6 +48,9 @@ public sealed partial class StepLog
     /// <summary>The number of moving contacts without load that were dropped because more than 16 surfaces touched the ball.</summary>
     /// <remarks>Stationary surfaces are never dropped.</remarks>
     public long LeftOut { get; internal set; }
+
+    /// <summary>True after a piece of high order, which custom forces required: the ball may leave the bounds of its speed within a step.</summary>
+    internal bool HasFollowed { get; set; }
 
     /// <summary>True if the step ended early at the requested event.</summary>
     internal bool Halted { get; set; }
@@ -198,13 +208,14 @@ public sealed partial class StepLog
         Steps += other.Steps;
         Evaluations += other.Evaluations;
         StalledSteps += other.StalledSteps;
+        StiffSteps += other.StiffSteps;
         UnreportedImpacts += other.UnreportedImpacts;
         LeftOut += other.LeftOut;
         ZoneEvents += other.ZoneEvents;
     }
 
     /// <summary>Returns a mark of the current contents, for <see cref="TakeBack"/>.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut, StiffSteps);
 
     /// <summary>Removes everything added after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -213,6 +224,7 @@ public sealed partial class StepLog
         Steps = mark.Steps;
         Evaluations = mark.Evaluations;
         StalledSteps = mark.Stalled;
+        StiffSteps = mark.Stiff;
         UnreportedImpacts = mark.Unreported;
         LeftOut = mark.LeftOut;
         Halted = false;
@@ -225,6 +237,7 @@ public sealed partial class StepLog
         Steps = 0;
         Evaluations = 0;
         StalledSteps = 0;
+        StiffSteps = 0;
         UnreportedImpacts = 0;
         LeftOut = 0;
         Halted = false;
@@ -241,4 +254,5 @@ public sealed partial class StepLog
 /// <param name="Stalled">Steps that reached their limit.</param>
 /// <param name="Unreported">Events that were only counted.</param>
 /// <param name="LeftOut">Contacts dropped from a set.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Unreported, long LeftOut);
+/// <param name="Stiff">Steps whose custom forces were not followed.</param>
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Unreported, long LeftOut, long Stiff);

@@ -28,6 +28,12 @@ internal ref struct StepRun
     /// <summary>Evaluations reserved for one piece, including the search for its end. A piece starts only if this many remain.</summary>
     private const long MostOfPiece = 1 << 12;
 
+    /// <summary>Evaluations of a piece that follows stiff custom forces, with its repetitions.</summary>
+    private const int EvaluationsToFollow = 24;
+
+    /// <summary>Number of pieces that may be shorter than the budget allows for all: those that find the edge of a force.</summary>
+    private const int MostShort = 64;
+
     /// <summary>After this many pieces the part length is chosen again, because the reason for short parts may have ended.</summary>
     private const int PiecesOfOneLength = 64;
 
@@ -128,8 +134,15 @@ internal ref struct StepRun
     /// <summary>Number of impacts that were merged and not reported one by one.</summary>
     public int MergedImpacts;
 
+    /// <summary>Length of the next piece that follows stiff custom forces, s; 0 if the scene's integrator follows them.</summary>
+    public double Followed;
+
     /// <summary>Receives events and counts.</summary>
     public StepLog Log;
+
+    private int _short;
+    private bool _isStiff;
+    private bool _stalls;
 
     private int _firstZoneEvent;
     private long _lastEvaluation;
@@ -177,6 +190,8 @@ internal ref struct StepRun
         LastStay = LastStay,
         Arrival = Arrival,
         Fastest = Fastest,
+        ShortPieces = _short,
+        IsStiff = _isStiff,
     };
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
@@ -189,7 +204,7 @@ internal ref struct StepRun
     private readonly int Reported => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>True if a piece takes another part: the step has time and evaluations left, and no event has ended it.</summary>
-    public readonly bool TakesParts => Left > 0 && !Log.Halted && Log.Evaluations <= _lastEvaluation;
+    public readonly bool TakesParts => Left > 0 && !Log.Halted && !_stalls && Log.Evaluations <= _lastEvaluation;
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False if the step has used up its pieces or its evaluations.</returns>
@@ -202,8 +217,41 @@ internal ref struct StepRun
             Spirals = false;
         }
 
-        return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation;
+        bool goesOn = Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation && !_stalls;
+        if (!goesOn && Followed > 0)
+        {
+            CountStiff();
+        }
+
+        return goesOn;
     }
+
+    /// <summary>The shortest piece that follows custom forces, s: with it, the rest of the step stays within the budget.</summary>
+    public readonly double ShortestFollowed => _short < MostShort ? OwnForceGuard.ShortestPiece : ShortestOfAll;
+
+    /// <summary>The same if all its pieces have this length.</summary>
+    public readonly double ShortestOfAll => Left * EvaluationsToFollow / Math.Max(1, _lastEvaluation - Log.Evaluations);
+
+    /// <summary>Takes pieces of high order from now on, because custom forces are stiff.</summary>
+    /// <param name="h">The length of the first one, s.</param>
+    public void Follow(double h)
+    {
+        Followed = Followed > 0 && Followed < h ? Followed : h;
+        Log.HasFollowed = true;
+    }
+
+    /// <summary>Counts a piece that is shorter than the budget allows for all.</summary>
+    public void CountShort(double h) => _short += h < ShortestOfAll ? 1 : 0;
+
+    /// <summary>Counts the step as one whose custom forces were not followed.</summary>
+    public void CountStiff()
+    {
+        Log.StiffSteps += _isStiff ? 0 : 1;
+        _isStiff = true;
+    }
+
+    /// <summary>Ends the step at the present position, because custom forces change too fast.</summary>
+    public void Stall() => _stalls = true;
 
     /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
     public void Keep(double part, double requested) => Part = part < requested ? part : Part;
@@ -308,5 +356,7 @@ internal ref struct StepRun
         LastStay = spent.LastStay;
         Arrival = spent.Arrival;
         Fastest = spent.Fastest;
+        _short = spent.ShortPieces;
+        _isStiff = spent.IsStiff;
     }
 }

@@ -6,7 +6,7 @@ namespace FootballPhysics.Simulation;
 /// <summary>Creates the stepper of a scene.</summary>
 /// <remarks>
 /// Flight is compiled for each integrator with a few common air models (published, measured, regularised, constant, none), and with one
-/// that supports any mixture of laws and a varying wind.
+/// that supports any mixture of laws, a varying wind and a tilted gravity.
 /// </remarks>
 internal static class StepperFactory
 {
@@ -37,12 +37,12 @@ internal static class StepperFactory
         bool isMeasured = scene.Forces.Coefficients == AerodynamicModel.Measured;
         if (!AirLaws.HasFits(scene.Forces))
         {
-            return scene.HasOwnForces || air.Varies ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
+            return scene.HasOwnForces || air.Varies || scene.IsTilted ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
                 : air.Acts ? Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene))
                 : Of<NoAir, TIntegrator>(scene, settings, in air, default);
         }
 
-        if (scene.HasOwnForces || air.Varies)
+        if (scene.HasOwnForces || air.Varies || scene.IsTilted)
         {
             return isMeasured && !scene.HasOwnForces ? InField<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<SceneAir, TIntegrator>(scene, settings, in air, in air);
         }

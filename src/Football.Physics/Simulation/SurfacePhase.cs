@@ -45,10 +45,11 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly SlideEnd _slideEnd;
     private readonly bool _endsSlipExactly;
     private readonly SurfaceHold _hold;
+    private readonly OwnForceGuard? _own;
 
     public SurfacePhase(
         Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact,
-        ContactSetPhase<TIntegrator> set)
+        ContactSetPhase<TIntegrator> set, OwnForceGuard? own)
     {
         _around = around;
         _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
@@ -58,6 +59,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _guard = guard;
         _contact = contact;
         _set = set;
+        _own = own;
         _nets = new NetGuard(_world);
         _hold = new SurfaceHold(scene, around);
         _slideEnd = new SlideEnd(around, jump, default(TIntegrator).Order);
@@ -73,29 +75,34 @@ internal sealed class SurfacePhase<TIntegrator>
             return;
         }
 
-        // Take the piece. A net reacts within less than a step, so use RK4 substeps in a net.
-        if (s.Nets != 0)
+        // A net reacts within less than a step, so use RK4 substeps in a net. RK4 does not speed up a velocity that turns by up to 2.8 rad.
+        _own?.Shorten(ref piece.Length, s.Nets != 0 ? piece.System.LongestPart(in piece.From, in piece.Start) : double.PositiveInfinity, ref run);
+        if (s.Nets != 0 && _own is null)
         {
             Take<Substeps>(ref s, ref run, ref piece);
         }
-        else if (run.Spirals)
+        else if (run.Followed > 0 || !(run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, ref piece) : Take<TIntegrator>(ref s, ref run, ref piece)))
         {
-            // RK4 does not speed up a velocity that turns by up to 2.8 rad.
-            Take<ClassicalRungeKutta>(ref s, ref run, ref piece);
-        }
-        else
-        {
-            Take<TIntegrator>(ref s, ref run, ref piece);
+            Take<EighthOrder>(ref s, ref run, ref piece);
         }
     }
 
-    private void Take<TMethod>(ref BallState s, ref StepRun run, ref SurfacePiece piece)
+    /// <summary>Takes a piece up to its first event, moves the ball, and handles the event.</summary>
+    /// <returns>False if the method does not follow the custom forces. The ball has not moved then.</returns>
+    [SkipLocalsInit]
+    private unsafe bool Take<TMethod>(ref BallState s, ref StepRun run, ref SurfacePiece piece)
         where TMethod : struct, IMotionMethod
     {
-        Integrate(in s, in piece, out MotionSweep<SurfaceSystem, TMethod> sweep);
+        ForceTrace trace;
+        if (!Integrate(in s, ref run, in piece, &trace, out MotionSweep<SurfaceSystem, TMethod> sweep))
+        {
+            return false;
+        }
+
         Shorten(ref sweep, ref s, ref run, ref piece);
         Move(ref s, ref run, ref sweep, in piece);
         Respond(ref s, ref run, in piece);
+        return true;
     }
 
     /// <summary>Computes the forces at the start and the length of the piece.</summary>
@@ -262,12 +269,22 @@ internal sealed class SurfacePhase<TIntegrator>
         return true;
     }
 
-    private void Integrate<TMethod>(in BallState s, in SurfacePiece piece, out MotionSweep<SurfaceSystem, TMethod> sweep)
+    /// <summary>Integrates a piece.</summary>
+    /// <returns>False if the method does not follow the custom forces.</returns>
+    private unsafe bool Integrate<TMethod>(in BallState s, ref StepRun run, in SurfacePiece piece, ForceTrace* trace, out MotionSweep<SurfaceSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
         sweep = new MotionSweep<SurfaceSystem, TMethod>(in piece.System, s.Time, in piece.From, in piece.Start, _around.Wind, _around.Radius);
+        if (_own is not null)
+        {
+            trace->Begin(_around.Radius);
+            trace->Add(in piece.On.Own, in piece.On.OwnTorque);
+            return _own.Take(ref sweep, piece.Length, trace, ref run);
+        }
+
         sweep.Step(piece.Length);
         NetGuard.KeepFinite(ref sweep, in s);
+        return true;
     }
 
     /// <summary>Ends a piece at the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.</summary>
@@ -297,7 +314,7 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, NetGuard.KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
-        _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
+        _nets.EndWhereBent(ref sweep, in s, in run, (int)s.Carrier - _world.FirstCollider);
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out piece.Met);
 
         // If the piece ends before the jump, keep the old branch.
@@ -422,35 +439,4 @@ internal sealed class SurfacePhase<TIntegrator>
         system.FaceNormal = at.Normal;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
     }
-}
-
-/// <summary>A piece of a slide or a roll.</summary>
-internal struct SurfacePiece
-{
-    /// <summary>The equations, locked for the piece.</summary>
-    public SurfaceSystem System;
-
-    /// <summary>The motion at the start.</summary>
-    public Motion From;
-
-    /// <summary>The forces at the start.</summary>
-    public SurfaceForces On;
-
-    /// <summary>The rates at the start.</summary>
-    public MotionRates Start;
-
-    /// <summary>The speed of the slip or the roll at the start, m/s.</summary>
-    public double Size;
-
-    /// <summary>The proposed length, s.</summary>
-    public double Length;
-
-    /// <summary>True if the piece ends where the ball loses its load.</summary>
-    public bool OverEdge;
-
-    /// <summary>True if the piece ends at a contact.</summary>
-    public bool Meets;
-
-    /// <summary>The contact at its end, if it meets one.</summary>
-    public Separation Met;
 }

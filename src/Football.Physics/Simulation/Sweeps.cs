@@ -151,6 +151,9 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public readonly Motion EndMotion => Taken.End;
 
+    /// <summary>The motion at the start.</summary>
+    public readonly Motion From => _from;
+
     // Never inlined, so that all callers share one body.
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Step(double h)
@@ -180,6 +183,13 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     }
 
     public Vector3d EndAcceleration() => EndRates().Acceleration;
+
+    /// <summary>Evaluates the forces at a motion at the end time, for <see cref="IMotionSystem.Trace"/>.</summary>
+    public void Evaluate(in Motion at)
+    {
+        System.Rates(_time + Length, in at, out _);
+        Evaluations++;
+    }
 
     /// <summary>Returns the rates at the end; one evaluation.</summary>
     public MotionRates EndRates()

@@ -68,6 +68,8 @@ public sealed class AdvanceTests
 
     private struct Polynomial(int degree) : IMotionSystem
     {
+        public unsafe ForceTrace* Trace { get; set; }
+
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates)
         {
             double t = time - Time;

@@ -19,6 +19,7 @@ internal static class HouseRules
         ["Integration/PathSegment.cs"] = "rounding of a time on a path that a game queries",
         ["Simulation/DragJumpGuard.cs"] = "the jump of the drag law",
         ["Simulation/FlightPhase.cs"] = "the jump of the drag law",
+        ["Simulation/OwnForceGuard.cs"] = "accuracy of a step under custom forces",
         ["Simulation/SolverSettings.cs"] = "the default of a setting",
         ["Simulation/StabilityLimit.cs"] = "stability and accuracy of a step",
         ["Simulation/ZoneSearch.cs"] = "zones, which no ball touches",

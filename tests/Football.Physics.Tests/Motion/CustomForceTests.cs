@@ -134,13 +134,15 @@ public sealed class CustomForceTests
         var log = new StepLog();
         simulator.Step(ref state, 0.01, log);
         BallState before = state;
+        seen.First = null;
         simulator.Step(ref state, 0.01, log);
-        Assert.Equal(before.Time, seen.Last.Time);
-        Assert.Equal(before.Position, seen.Last.Position);
-        Assert.Equal(before.Velocity, seen.Last.Velocity);
-        Assert.Equal(before.Velocity - new Vector3d(1, 2, 3), seen.Last.AirVelocity);
-        Assert.InRange(Vector3d.Distance(before.Spin, seen.Last.Spin), 0, 1e-14);
-        Assert.Equal(MotionState.Airborne, seen.Last.Motion);
+        ForceContext first = seen.First!.Value;
+        Assert.Equal(before.Time, first.Time);
+        Assert.Equal(before.Position, first.Position);
+        Assert.Equal(before.Velocity, first.Velocity);
+        Assert.Equal(before.Velocity - new Vector3d(1, 2, 3), first.AirVelocity);
+        Assert.InRange(Vector3d.Distance(before.Spin, first.Spin), 0, 1e-14);
+        Assert.Equal(MotionState.Airborne, first.Motion);
         simulator.Run(ref state, 0.005, 60, StopAt.Rest, log);
         Assert.Equal([MotionState.Airborne, MotionState.Sliding, MotionState.Rolling], seen.Motions.Order());
     }
@@ -210,13 +212,13 @@ public sealed class CustomForceTests
 
     private sealed class Recorder : IForce
     {
-        public ForceContext Last { get; private set; }
+        public ForceContext? First { get; set; }
 
         public HashSet<MotionState> Motions { get; } = [];
 
         public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
-            Last = ball;
+            First ??= ball;
             Motions.Add(ball.Motion);
         }
     }

@@ -66,7 +66,7 @@ public sealed class SubstepsTests
         system.Rates(0, in from, out MotionRates start);
         double ErrorOf(double length)
         {
-            method.Advance(ref system, 0, in from, in start, length, out MotionStep step);
+            method.Advance(ref system, 0, in from, in start, length, turnsByStages: order == 8, out MotionStep step);
             return Math.Abs(Math.Cos(20 * length) + (0.35 * Math.Sin(20 * length)) - step.End.Position.X);
         }
 
@@ -99,6 +99,8 @@ public sealed class SubstepsTests
 
     private struct Oscillator : IMotionSystem
     {
+        public unsafe ForceTrace* Trace { get; set; }
+
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(-400 * at.Position.X, 6 * time, 0), new Vector3d(0, 0, 3), 5);
 
@@ -109,6 +111,8 @@ public sealed class SubstepsTests
 
     private struct Runaway : IMotionSystem
     {
+        public unsafe ForceTrace* Trace { get; set; }
+
         public readonly void Rates(double time, in FootballPhysics.Motion at, out MotionRates rates) =>
             rates = new MotionRates(new Vector3d(at.Velocity.X * at.Velocity.X, 0, 0), Vector3d.Zero);
 

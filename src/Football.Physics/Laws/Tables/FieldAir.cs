@@ -3,7 +3,7 @@ using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>A smooth tabulated law in air that varies.</summary>
+/// <summary>A smooth tabulated law in air that varies, or with gravity that is not straight down.</summary>
 /// <remarks>Each stage checks the range of the tables, because the wind may change by any amount along a step.</remarks>
 /// <typeparam name="TLaw">The type of the law, which has no regions.</typeparam>
 internal struct FieldAir<TLaw> : IFlightAir
@@ -25,6 +25,10 @@ internal struct FieldAir<TLaw> : IFlightAir
     public readonly bool HasField => true;
 
     public readonly bool HasSide => _scene.HasSide;
+
+    public readonly bool Tilts => _scene.Tilts;
+
+    public readonly Vector3d Sideways => _scene.Sideways;
 
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
 

@@ -46,6 +46,10 @@ internal struct TableAir<TLaw> : IFlightAir
 
     public bool HasSide => false;
 
+    public readonly bool Tilts => false;
+
+    public readonly Vector3d Sideways => Vector3d.Zero;
+
     public bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _law.Jumps; }
 
     /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>

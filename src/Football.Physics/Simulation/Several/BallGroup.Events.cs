@@ -9,6 +9,7 @@ public sealed partial class BallGroup
         log.Steps += _flown.Steps;
         log.Evaluations += _flown.Evaluations;
         log.StalledSteps += _flown.StalledSteps;
+        log.StiffSteps += _flown.StiffSteps;
         log.UnreportedImpacts += _flown.UnreportedImpacts;
         int reported = 0;
         for (int i = 0; i < Count; i++)
@@ -27,6 +28,7 @@ public sealed partial class BallGroup
             log.Steps += own.Steps;
             log.Evaluations += own.Evaluations;
             log.StalledSteps += own.StalledSteps;
+            log.StiffSteps += own.StiffSteps;
             log.UnreportedImpacts += own.UnreportedImpacts;
             for (int e = 0; e < own.Events.Count; e++)
             {

@@ -75,6 +75,7 @@ public sealed partial class BallGroup
             }
 
             log.Pushed = false;
+            log.HasFollowed = false;
 
             // A ball that touched others in the last step may touch them again: record its path.
             if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
@@ -93,7 +94,7 @@ public sealed partial class BallGroup
             pushes |= log.Pushed;
 
             // If the ball leaves the bounds of its sphere, at an end of its step or at an event, measure its reach.
-            bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
+            bool keeps = !log.HasFollowed && _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
             _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
             holds &= keeps;
             again |= log.Pushed && !keeps;

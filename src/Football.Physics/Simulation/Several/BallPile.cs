@@ -11,6 +11,9 @@ internal sealed partial class BallPile
     private const double Part = 2e-3;
     private const int MostParts = 16;
 
+    /// <summary>The change of a custom force in a part, as a share of it, up to which the force stays the same for the longest part.</summary>
+    private const double SoftForce = 0.05;
+
     /// <summary>Maximum number of parts per step, including those cut short by other balls that hit the pile.</summary>
     private const int MostPlans = 24;
 
@@ -181,9 +184,17 @@ internal sealed partial class BallPile
             ref BallState s = ref states[member.Ball];
             if (!(member.FreeUntil > Time))
             {
-                member.Free = _simulators[member.Ball].Pile.Free(in s, h, atRest: false);
-                member.FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
-                logs[member.Ball].Evaluations++;
+                PilePhase pile = _simulators[member.Ball].Pile;
+
+                // The forces of the air hardly change within the longest part. Custom forces may, unless an earlier part of the step has shown that they do not.
+                bool looksAhead = pile.HasOwnForces && !member.HasSoftForces;
+                Vector3d before = member.Free.Acceleration;
+                member.Free = pile.Free(in s, h, atRest: false, looksAhead, out double change);
+                member.FreeUntil = looksAhead ? Time : Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
+                member.HasSoftForces = looksAhead ? change <= SoftForce : (member.Free.Acceleration - before).Length <= 0.5 * before.Length;
+                logs[member.Ball].Evaluations += looksAhead ? 2 : 1;
+                logs[member.Ball].StiffSteps += change > 1 && !member.IsStiff ? 1 : 0;
+                member.IsStiff |= change > 1;
             }
 
             pull = Math.Max(pull, h * (member.Free.Acceleration.Length + (member.Radius * member.Free.SpinAcceleration.Length)));

@@ -29,11 +29,22 @@ internal sealed class PilePhase
         _nets = new NetGuard(_world);
     }
 
+    /// <summary>True if custom forces act.</summary>
+    public bool HasOwnForces => _around.Air.HasOwnForces;
+
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">Length of the part, s.</param>
     /// <param name="atRest">Whether to compute them for a ball at rest.</param>
-    public MotionRates Free(in BallState s, double h, bool atRest)
+    public MotionRates Free(in BallState s, double h, bool atRest) => Free(in s, h, atRest, looksAhead: false, out _);
+
+    /// <summary>Computes the forces on the ball without contacts, and how much the custom forces change by their own effect.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="h">Length of the part, s.</param>
+    /// <param name="atRest">Whether to compute them for a ball at rest.</param>
+    /// <param name="looksAhead">Whether to evaluate the change of the custom forces, and to reduce those that are too stiff for the part.</param>
+    /// <param name="ownChange">The change of the custom forces as a share of them; above 1 they were reduced.</param>
+    public MotionRates Free(in BallState s, double h, bool atRest, bool looksAhead, out double ownChange)
     {
         Vector3d v = atRest ? Vector3d.Zero : s.Velocity;
         Vector3d w = atRest ? Vector3d.Zero : s.Spin;
@@ -43,8 +54,16 @@ internal sealed class PilePhase
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.BranchAt(in at);
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
-        var ball = new ForceContext(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
+        MotionState motion = carried ? MotionState.Sliding : MotionState.Airborne;
+        bool followsOwn = HasOwnForces && !atRest;
+
+        // In the middle of its path, a custom force that depends on the position gives the ball no energy.
+        Vector3d place = followsOwn ? s.Position + (0.5 * h * v) : s.Position;
+        double time = followsOwn ? s.Time + (0.5 * h) : s.Time;
+        var ball = new ForceContext(time, in place, in v, in u, in w, motion, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
+        ownChange = looksAhead ? PartForces.LimitOwn(_around, in ball, branch, h, ref air) : 0;
+
         u = air.AirVelocity;
 
         // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on a single surface.

@@ -402,6 +402,12 @@ internal struct PileMember
     /// <summary>The rates without contacts.</summary>
     public MotionRates Free;
 
+    /// <summary>True if the custom forces hardly change in a part; false before the first part.</summary>
+    public bool HasSoftForces;
+
+    /// <summary>True if custom forces were too stiff for a part of this step.</summary>
+    public bool IsStiff;
+
     /// <summary>Time up to which these rates are valid, s.</summary>
     public double FreeUntil;
 
