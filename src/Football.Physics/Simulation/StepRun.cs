@@ -124,9 +124,12 @@ internal ref struct StepRun
     /// <summary>Time of the last of these instants, s.</summary>
     public double LastStay;
 
-    /// <summary>True if a moving object has hit the ball, and the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
+    /// <summary>True if one of these surfaces moved.</summary>
+    public bool StaysOnMover;
+
+    /// <summary>True if a moving object took part, and the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
     /// <remarks>Otherwise, a ball that forces press onto one surface while another one lifts it would hit them in turn without an end.</remarks>
-    public readonly bool Rattles => Stays > MostAtOnce && Hits > 0;
+    public readonly bool Rattles => Stays > MostAtOnce && StaysOnMover;
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
@@ -187,6 +190,7 @@ internal ref struct StepRun
         LastImpact = LastImpact,
         Quick = Quick,
         Stays = Stays,
+        StaysOnMover = StaysOnMover,
         LastStay = LastStay,
         Arrival = Arrival,
         Fastest = Fastest,
@@ -274,8 +278,9 @@ internal ref struct StepRun
     }
 
     /// <summary>Counts an instant at which the ball stays on a surface after an impact.</summary>
-    public void Stay(double time)
+    public void Stay(double time, bool moves)
     {
+        StaysOnMover |= moves;
         Stays += time > LastStay ? 1 : 0;
         LastStay = time;
     }
@@ -353,6 +358,7 @@ internal ref struct StepRun
         LastImpact = spent.LastImpact;
         Quick = spent.Quick;
         Stays = spent.Stays;
+        StaysOnMover = spent.StaysOnMover;
         LastStay = spent.LastStay;
         Arrival = spent.Arrival;
         Fastest = spent.Fastest;

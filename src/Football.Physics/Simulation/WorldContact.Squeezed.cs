@@ -16,11 +16,11 @@ internal sealed partial class WorldContact
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
         run.Log.UnreportedImpacts++;
-        run.Stay(s.Time);
 
         // Solve all contacts as one set, over zero time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
+        run.Stay(s.Time, ContactSet.HasMover(set));
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         var before = new Motion(s.Position, in v, in w);
