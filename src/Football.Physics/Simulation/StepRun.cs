@@ -19,6 +19,10 @@ internal ref struct StepRun
     /// <remarks>After that, all contacts are resolved together without restitution.</remarks>
     public const int MostAtOnce = 10;
 
+    /// <summary>After this many instants at which a ball stays on stationary surfaces, they become contacts together.</summary>
+    /// <remarks>A ball that bounces to rest in a corner stays less often.</remarks>
+    private const int MostStays = 32;
+
     /// <summary>Maximum number of pieces per step, of all kinds.</summary>
     private const int MostPieces = 1 << 13;
 
@@ -127,9 +131,9 @@ internal ref struct StepRun
     /// <summary>True if one of these surfaces moved.</summary>
     public bool StaysOnMover;
 
-    /// <summary>True if a moving object took part, and the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
+    /// <summary>True if the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
     /// <remarks>Otherwise, a ball that forces press onto one surface while another one lifts it would hit them in turn without an end.</remarks>
-    public readonly bool Rattles => Stays > MostAtOnce && StaysOnMover;
+    public readonly bool Rattles => Stays > (StaysOnMover ? MostAtOnce : MostStays);
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
