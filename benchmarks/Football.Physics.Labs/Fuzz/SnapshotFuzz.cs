@@ -5,6 +5,9 @@ namespace FootballPhysics.Labs.Fuzz;
 /// <summary>Snapshots: an accepted snapshot is a ball that every scene can simulate.</summary>
 internal sealed class SnapshotFuzz : FuzzTarget
 {
+    /// <summary>The bytes of the words in use: a reader clears the others.</summary>
+    private const int Used = sizeof(ulong) * StateFields.Used;
+
     private static readonly double[] s_steps = [0.01, 1.0 / 60, 0.1, 1];
 
     /// <summary>Scenes with different stepping code.</summary>
@@ -78,7 +81,7 @@ internal sealed class SnapshotFuzz : FuzzTarget
         Must(Crc32.Holds(input.AsSpan(0, Snapshot.Size)), "changed bytes are accepted");
         var again = new byte[Snapshot.Size];
         Snapshot.Write(in state, again);
-        Must(again.AsSpan().SequenceEqual(input.AsSpan(0, Snapshot.Size)), "a state does not come back");
+        Must(again.AsSpan(0, Used).SequenceEqual(input.AsSpan(0, Used)), "a state does not come back");
         MustBeFinite(in state);
         var log = new StepLog(1);
         var path = new Trajectory(64);

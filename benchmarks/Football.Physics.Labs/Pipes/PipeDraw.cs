@@ -43,7 +43,10 @@ internal sealed record PipeOutcome(PipeKind Kind, bool IsWhole, int Pieces, int[
     /// <summary>The flight steps of the middle step.</summary>
     public int Median => Steps.Order().ElementAt(Steps.Length / 2);
 
-    public bool Holds => IsWhole && Median <= MostSteps && Slowest <= LongestStep && Sunk <= Touching;
+    public bool Holds => IsWhole && Median <= MostSteps && Sunk <= Touching;
+
+    /// <summary>True if no step takes too long.</summary>
+    public bool IsFast => Slowest <= LongestStep;
 }
 
 /// <summary>A random ball that rolls from the ground into a quarter pipe or a bowl.</summary>
