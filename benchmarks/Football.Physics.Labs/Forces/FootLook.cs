@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using FootballPhysics.Laws;
-using FootballPhysics.Shapes;
 
 namespace FootballPhysics.Labs.Forces;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Laws;
-
 namespace FootballPhysics.Labs.Forces;
 
 /// <summary>A custom force whose path has a closed form.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Shapes;
-
 namespace FootballPhysics.Labs.Pipes;
 
 /// <summary>A quarter circle that rises from level ground to an upright wall: straight, as a quarter pipe, or around a disc, as a bowl.</summary>

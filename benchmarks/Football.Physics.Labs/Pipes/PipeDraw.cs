@@ -1,8 +1,4 @@
 using System.Diagnostics;
-using FootballPhysics.Engines;
-using FootballPhysics.Prediction;
-using FootballPhysics.Shapes;
-using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Pipes;
 

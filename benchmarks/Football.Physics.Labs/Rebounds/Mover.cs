@@ -1,5 +1,3 @@
-using FootballPhysics.Shapes;
-
 namespace FootballPhysics.Labs.Rebounds;
 
 /// <summary>The shape of an object that balls meet.</summary>

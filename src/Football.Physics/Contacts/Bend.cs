@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Contacts;
 
 /// <summary>The curvature of a surface below a ball, 1/m: negative if the surface rises towards the ball, positive if it falls away.</summary>

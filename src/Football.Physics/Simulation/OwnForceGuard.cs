@@ -1,4 +1,5 @@
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -148,7 +149,7 @@ internal sealed unsafe class OwnForceGuard
             double share = Math.Max(SmallErrorOfEighth, LargestRateOfEighth * length) / error;
             if (share >= 1)
             {
-                run.Followed = length * Math.Min(MostChange, Share * Math.Pow(share, PerOrder));
+                run.Followed = length * Math.Min(MostChange, Share * Elementary.Pow(share, PerOrder));
                 run.CountShort(length);
                 return true;
             }
@@ -162,7 +163,7 @@ internal sealed unsafe class OwnForceGuard
             }
 
             // A share that is NaN, from forces beyond all bounds, takes the least change.
-            double change = Share * Math.Pow(share, PerOrder);
+            double change = Share * Elementary.Pow(share, PerOrder);
             length = Math.Max(shortest, length * (change > LeastChange ? Math.Min(Share, change) : LeastChange));
         }
     }

@@ -1,6 +1,4 @@
 using System.Reflection;
-using FootballPhysics.Game;
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Tests.Api;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Shapes;
-
 namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Custom forces that change the motion faster than a step, against closed forms.</summary>

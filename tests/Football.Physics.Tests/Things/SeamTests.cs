@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Flush surfaces of different curvature: a ball rolls from the ground into a quarter pipe or a bowl as on one surface.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Netcode;
-
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball that rebounds and is shot at once: each impact obeys the impact law, however soon after another one, and nothing of it stays in the state.</summary>
