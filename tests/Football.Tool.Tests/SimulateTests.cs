@@ -333,7 +333,7 @@ public sealed class SimulateTests
     [Fact]
     public void Heights_are_those_of_the_nodes_or_control_values()
     {
-        string Ground(string members) => $$$"""{"ground": {"heights": {"origin": [-5, -5], "spacing": 5, {{{members}}}}}, "launch": {"position": [0, 0, 0], "velocity": [0, 0, 0]}, "stop": {"at": "time", "time": 0}}""";
+        string Ground(string members) => $$$"""{"ground": {"heights": {"origin": [-5, -5], "spacing": 5, {{{members}}}}}, "launch": {"position": [0, 0, 0], "velocity": [0, 0, 0]}, "stop": {"at": "time", "time": 0.001}}""";
         double Height(string member) =>
             FootballCommand.Play(Ground($"\"{member}\": [[0, 0, 0], [0, -0.9, 0], [0, 0, 0]]")).GetProperty("final").GetProperty("position")[1].GetDouble();
         double radius = BallProperties.Modern.Radius;
