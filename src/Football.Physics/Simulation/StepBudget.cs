@@ -25,9 +25,6 @@ internal struct StepBudget
     /// <summary>Instants at which the ball stayed on a surface after an impact.</summary>
     public int Stays;
 
-    /// <summary>True if one of these surfaces moved.</summary>
-    public bool StaysOnMover;
-
     /// <summary>Time of the last of these instants, s.</summary>
     public double LastStay;
 

@@ -15,11 +15,11 @@ internal ref struct StepRun
     /// <summary>Number of events after which a step counts as crowded.</summary>
     private const int MostInCrowd = 14;
 
-    /// <summary>Maximum number of impacts at one instant, and of instants of impacts without a bounce in a step: two contacts plus eight.</summary>
+    /// <summary>Maximum number of impacts at one instant: two contacts plus eight.</summary>
     /// <remarks>After that, all contacts are resolved together without restitution.</remarks>
     public const int MostAtOnce = 10;
 
-    /// <summary>After this many instants at which a ball stays on stationary surfaces, they become contacts together.</summary>
+    /// <summary>After this many instants of a step at which a ball stays on a surface, all surfaces nearby become contacts together.</summary>
     /// <remarks>A ball that bounces to rest in a corner stays less often.</remarks>
     private const int MostStays = 32;
 
@@ -128,12 +128,9 @@ internal ref struct StepRun
     /// <summary>Time of the last of these instants, s.</summary>
     public double LastStay;
 
-    /// <summary>True if one of these surfaces moved.</summary>
-    public bool StaysOnMover;
-
     /// <summary>True if the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
     /// <remarks>Otherwise, a ball that forces press onto one surface while another one lifts it would hit them in turn without an end.</remarks>
-    public readonly bool Rattles => Stays > (StaysOnMover ? MostAtOnce : MostStays);
+    public readonly bool Rattles => Stays > MostStays;
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
@@ -194,7 +191,6 @@ internal ref struct StepRun
         LastImpact = LastImpact,
         Quick = Quick,
         Stays = Stays,
-        StaysOnMover = StaysOnMover,
         LastStay = LastStay,
         Arrival = Arrival,
         Fastest = Fastest,
@@ -282,9 +278,8 @@ internal ref struct StepRun
     }
 
     /// <summary>Counts an instant at which the ball stays on a surface after an impact.</summary>
-    public void Stay(double time, bool moves)
+    public void Stay(double time)
     {
-        StaysOnMover |= moves;
         Stays += time > LastStay ? 1 : 0;
         LastStay = time;
     }
@@ -362,7 +357,6 @@ internal ref struct StepRun
         LastImpact = spent.LastImpact;
         Quick = spent.Quick;
         Stays = spent.Stays;
-        StaysOnMover = spent.StaysOnMover;
         LastStay = spent.LastStay;
         Arrival = spent.Arrival;
         Fastest = spent.Fastest;

@@ -20,7 +20,7 @@ internal sealed partial class WorldContact
         // Solve all contacts as one set, over zero time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
-        run.Stay(s.Time, ContactSet.HasMover(set));
+        run.Stay(s.Time);
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         var before = new Motion(s.Position, in v, in w);

@@ -64,7 +64,7 @@ internal sealed partial class WorldContact
 
         if (!end.Bounces)
         {
-            run.Stay(s.Time, hit.Moves || (carried && _world.CarrierOf(in s).Moves));
+            run.Stay(s.Time);
         }
 
         // A ball supported by another surface keeps its carrier unless the impulse lifts it.
