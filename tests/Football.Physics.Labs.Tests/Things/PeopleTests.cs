@@ -29,7 +29,7 @@ public sealed class PeopleTests
     /// <summary>Presses that were found to tremble in a corner, to be let go by a net and to be pressed deep into one: what a step tells and takes is bounded.</summary>
     [Theory]
     [InlineData("Corner", 20261129, 57, 1000)]
-    [InlineData("Net", 20261126, 22, 3000)]
+    [InlineData("Net", 20261126, 22, 5000)]
     [InlineData("Net", 20261125, 243, 3000)]
     [InlineData("Net", 20261125, 524, 5000)]
     public void A_ball_that_trembles_tells_and_takes_no_more_than_others(string against, long seed, int index, long mostEvaluations)
