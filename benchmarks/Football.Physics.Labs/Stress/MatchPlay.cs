@@ -170,7 +170,7 @@ internal sealed class MatchPlay
 
         _counts.Add("steps");
         int balls = _arena.Balls.Length;
-        int evaluations = (int)Math.Min((_log.Evaluations + balls - 1) / balls, int.MaxValue);
+        int evaluations = (int)Math.Min((_log.Evaluations + _log.SearchEvaluations + balls - 1) / balls, int.MaxValue);
         _outcome.Evaluations.Add(evaluations);
         _outcome.MostEvaluations.See(evaluations, $"match {_outcome.Index}, {at}");
         _outcome.See(MatchClaim.Stalled, _log.StalledSteps, _log.StalledSteps == 0, at);
@@ -213,7 +213,7 @@ internal sealed class MatchPlay
         _after.CopyTo(_arena.Balls, 0);
         if (time > StepTimes.Slow)
         {
-            _outcome.Slow.Add(new SlowStep(time, _log.Evaluations, _log.Steps, FormattableString.Invariant($"match {_outcome.Index}, {at}")));
+            _outcome.Slow.Add(new SlowStep(time, _log.Evaluations, _log.SearchEvaluations, _log.Steps, FormattableString.Invariant($"match {_outcome.Index}, {at}")));
         }
     }
 

@@ -31,21 +31,22 @@ internal sealed class StepTimes
     public void AddTo(LabRun run)
     {
         LabTable table = run.Table(
-            "Steps above 1 ms of processor time, best of 5 repeats", "balls", "steps", "slow", "share", "worst, ms", "its evaluations", "its pieces", "at", "verdict");
+            "Steps above 1 ms of processor time, best of 5 repeats", "balls", "steps", "slow", "share", "worst, ms", "its evaluations", "of gaps", "its pieces", "at", "verdict");
         for (int kind = 0; kind < _steps.Length; kind++)
         {
             SlowStep worst = _slow[kind].OrderByDescending(step => step.Milliseconds).FirstOrDefault();
             double share = (double)_slow[kind].Count / Math.Max(1, _steps[kind]);
-            table.Judge(share <= s_allowed[kind], kind == 0 ? "one" : "several", _steps[kind], _slow[kind].Count, share, worst.Milliseconds, worst.Evaluations, worst.Pieces, worst.At);
+            table.Judge(share <= s_allowed[kind], kind == 0 ? "one" : "several", _steps[kind], _slow[kind].Count, share, worst.Milliseconds, worst.Evaluations, worst.Gaps, worst.Pieces, worst.At);
         }
 
-        run.Notes.AddRange(_slow.SelectMany(steps => steps.OrderByDescending(step => step.Milliseconds).Take(4)).Select(step => FormattableString.Invariant($"{step.Milliseconds:F2} ms, {step.Evaluations} evaluations, {step.Pieces} pieces: {step.At}")));
+        run.Notes.AddRange(_slow.SelectMany(steps => steps.OrderByDescending(step => step.Milliseconds).Take(4)).Select(step => FormattableString.Invariant($"{step.Milliseconds:F2} ms, {step.Evaluations} evaluations, {step.Gaps} of gaps, {step.Pieces} pieces: {step.At}")));
     }
 }
 
 /// <summary>A step that takes long.</summary>
 /// <param name="Milliseconds">Its processor time.</param>
 /// <param name="Evaluations">Its evaluations of the forces.</param>
+/// <param name="Gaps">The evaluations of gaps by its searches.</param>
 /// <param name="Pieces">Its pieces.</param>
 /// <param name="At">The match and its time.</param>
-internal readonly record struct SlowStep(double Milliseconds, long Evaluations, long Pieces, string At);
+internal readonly record struct SlowStep(double Milliseconds, long Evaluations, long Gaps, long Pieces, string At);

@@ -8,6 +8,10 @@ namespace FootballPhysics.Contacts;
 /// <param name="time">Start time, s.</param>
 internal readonly struct ContactSearch(World world, in PathCubic path, double time)
 {
+    /// <summary>The number of flush seams on a path after which the search passes them in longer steps.</summary>
+    /// <remarks>Above: a ball along two objects whose normals hardly differ finds a seam at each step. Below: a contact soon after a seam is found late.</remarks>
+    private const int MostSeams = 64;
+
     private readonly World _world = world;
     private readonly PathCubic _path = path;
     private readonly Bounds3d _bounds = world.IsBare ? default : path.Bounds;
@@ -129,7 +133,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
             else if ((near.Nets >> net & 1) != 0 && !SceneCheck.TearsNets(in s, _world))
             {
                 var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend);
-                double at = TimeOfImpact.First(ref sheet, new SearchSpan(_path.Length, best));
+                double at = TimeOfImpact.First(ref sheet, new SearchSpan(_path.Length, best), ref _world.SearchEvaluations);
                 first = at < best ? sheet.Last : first;
                 best = Math.Min(at, best);
             }
@@ -182,7 +186,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
     private void Keep<TGap>(ref TGap gap, in Separation happening, ref double best, ref Separation first)
         where TGap : struct, IGap
     {
-        double at = TimeOfImpact.First(ref gap, new SearchSpan(_path.Length, best));
+        double at = TimeOfImpact.First(ref gap, new SearchSpan(_path.Length, best), ref _world.SearchEvaluations);
         first = at < best ? happening : first;
         best = Math.Min(at, best);
     }
@@ -204,7 +208,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         if (collider.Rotates)
         {
             var rotating = new RotatingGap(collider.From(_time), collider.HollowCurvature, in _path, _bend, r);
-            return TimeOfImpact.First(ref rotating, in span);
+            return TimeOfImpact.First(ref rotating, in span, ref _world.SearchEvaluations);
         }
 
         return FirstOnShape(thing, carrier, held, in span, out seam);
@@ -240,8 +244,9 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
         where TGap : struct, ICrossedGap
     {
         seam = false;
-        double t = TimeOfImpact.First(ref gap, in span);
-        while (t <= span.Until)
+        double t = TimeOfImpact.First(ref gap, in span, ref _world.SearchEvaluations);
+        double stretch = 1.0;
+        for (int count = 1; t <= span.Until; count++)
         {
             t = gap.Earliest(t);
 
@@ -252,7 +257,8 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
                 return t;
             }
 
-            t += Math.Max(passage, span.Shortest);
+            stretch = TimeOfImpact.Stretch(stretch, count, MostSeams);
+            t += Math.Max(stretch * passage, span.Shortest);
             gap.Crosses = true;
             seam = t <= span.Until && carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _path.VelocityAt(t), _time + t) == thing;
             if (seam)
@@ -260,7 +266,7 @@ internal readonly struct ContactSearch(World world, in PathCubic path, double ti
                 return t;
             }
 
-            t = t <= span.Until ? TimeOfImpact.First(ref gap, in span, t) : t;
+            t = t <= span.Until ? TimeOfImpact.First(ref gap, in span, ref _world.SearchEvaluations, t) : t;
         }
 
         return double.PositiveInfinity;

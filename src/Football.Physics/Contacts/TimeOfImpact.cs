@@ -23,6 +23,13 @@ internal static class TimeOfImpact
     private const double Nearest = 0.1;
     private const double ShareOfRoom = 0.5;
 
+    /// <summary>The number of evaluations after which the steps of a search grow by this factor each.</summary>
+    /// <remarks>
+    /// Above: a ball that touches a turning object without closing takes thousands of steps. Below: a search may skip a contact that it could reach.
+    /// </remarks>
+    private const int MostEvaluations = 512;
+    private const double Growth = 1.25;
+
     /// <summary>Returns the gap up to which the second derivative of the gap to a concave surface is bounded, as a share of the radius.</summary>
     /// <remarks>The bound, κ/(1 − κ d), has a pole at the centre of curvature, which is close to the centre of a ball that hardly fits.</remarks>
     public static double NearHollow(double radius, double hollow) =>
@@ -31,25 +38,40 @@ internal static class TimeOfImpact
     /// <summary>Returns the time of the event; infinite if there is none.</summary>
     /// <param name="gap">The gap.</param>
     /// <param name="span">The span of the search.</param>
+    /// <param name="evaluations">Counts the evaluations of the gap.</param>
     /// <param name="from">Start of the search, s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double First<TGap>(ref TGap gap, in SearchSpan span, double from = 0)
+    public static double First<TGap>(ref TGap gap, in SearchSpan span, ref long evaluations, double from = 0)
         where TGap : struct, IGap
     {
         double t = from;
-        while (!gap.IsClosed(t, out double step))
+        double stretch = 1.0;
+        int count = 1;
+        for (; !gap.IsClosed(t, out double step); count++)
         {
+            // A contact that a stretched step passes is found late, but then located on the piece.
+            stretch = Stretch(stretch, count);
+
             // A step that was lengthened to the minimum must not skip the end of the path, because the gap may have closed there.
-            double next = t + Math.Max(step, span.Shortest);
+            double next = t + Math.Max(stretch * step, span.Shortest);
             t = next > span.Until && t + step <= span.Until && t < span.Until ? span.Until : next;
             if (!(t <= span.Until))
             {
-                return double.PositiveInfinity;
+                t = double.PositiveInfinity;
+                break;
             }
         }
 
+        evaluations += count;
         return t;
     }
+
+    /// <summary>Returns the factor of the next step of a search: it grows in a search that is long already.</summary>
+    /// <param name="stretch">The factor of the last step.</param>
+    /// <param name="count">The number of evaluations so far.</param>
+    /// <param name="most">The number from which on it grows.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Stretch(double stretch, int count, int most = MostEvaluations) => count > most ? Growth * stretch : stretch;
 
     /// <summary>True if the gap is closed and shrinks: the usual event.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -221,6 +221,9 @@ internal sealed partial class World
     /// <summary>Shared memory for contact sets outside the phases of a step.</summary>
     public ContactRoom Room { get; } = new();
 
+    /// <summary>Evaluations of gaps by searches for contacts that no step has counted yet.</summary>
+    public long SearchEvaluations;
+
     /// <summary>True if the first of two touched colliders has priority.</summary>
     /// <remarks>
     /// Bodies and engine colliders are ordered by their contact normals: the order in which they were added or found must not matter.

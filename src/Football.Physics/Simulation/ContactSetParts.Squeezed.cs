@@ -29,7 +29,7 @@ internal sealed partial class ContactSetParts
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         double part = LengthOfPart(in run, 2.0 * Part);
         bool isFree = false;
-        while (run.TakesParts)
+        while (run.TakesParts(_world))
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             run.Parts++;

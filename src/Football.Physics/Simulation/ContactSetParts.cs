@@ -57,7 +57,7 @@ internal sealed partial class ContactSetParts
         double part = LengthOfPart(in run, Part);
         bool taken = false;
         int changes = 0;
-        while (run.TakesParts)
+        while (run.TakesParts(_world))
         {
             // Find the touched surfaces; the solver then determines which of them have a load.
             Span<Contact> set = ContactSet.Touching(_world, in s, room, _more, run.Rattles);

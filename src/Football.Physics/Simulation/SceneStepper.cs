@@ -265,6 +265,7 @@ internal class SceneStepper<TIntegrator> : Stepper
             World.Enter(ref s);
         }
 
+        World.SearchEvaluations = 0;
         var run = new StepRun(dt, s.Time, log) { Whole = whole };
         Vector3d from = s.Position;
         run.Arrival = run.Pieces == 0 ? s.Velocity.Length : run.Arrival;
@@ -282,7 +283,7 @@ internal class SceneStepper<TIntegrator> : Stepper
 
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {
-            if (!run.Begin())
+            if (!run.Begin(World))
             {
                 // The budget is used up: to end the step, keep the ball at its position for the rest of it.
                 log.StalledSteps++;

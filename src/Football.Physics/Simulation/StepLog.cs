@@ -21,9 +21,12 @@ public sealed partial class StepLog
     /// <summary>The number of force evaluations, including those that locate events.</summary>
     public long Evaluations { get; internal set; }
 
+    /// <summary>The number of gap evaluations by searches for contacts.</summary>
+    internal long SearchEvaluations { get; set; }
+
     /// <summary>The number of steps that ended early because they reached the limit of pieces or evaluations.</summary>
     /// <remarks>
-    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball keeps its position for the rest of the step. The count is 0 for any realistic
+    /// A step may use 8,192 pieces and 32,768 evaluations of forces and of gaps to other objects. After that, the ball keeps its position for the rest of the step. The count is 0 for any realistic
     /// football, but can grow if objects press the ball from all sides.
     /// </remarks>
     public long StalledSteps { get; internal set; }
@@ -207,6 +210,7 @@ public sealed partial class StepLog
 
         Steps += other.Steps;
         Evaluations += other.Evaluations;
+        SearchEvaluations += other.SearchEvaluations;
         StalledSteps += other.StalledSteps;
         StiffSteps += other.StiffSteps;
         UnreportedImpacts += other.UnreportedImpacts;
@@ -236,6 +240,7 @@ public sealed partial class StepLog
         Events.Clear();
         Steps = 0;
         Evaluations = 0;
+        SearchEvaluations = 0;
         StalledSteps = 0;
         StiffSteps = 0;
         UnreportedImpacts = 0;

@@ -208,12 +208,19 @@ internal ref struct StepRun
     private readonly int Reported => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>True if a piece takes another part: the step has time and evaluations left, and no event has ended it.</summary>
-    public readonly bool TakesParts => Left > 0 && !Log.Halted && !_stalls && Log.Evaluations <= _lastEvaluation;
+    /// <param name="world">The world, which counts the searches.</param>
+    public bool TakesParts(World world)
+    {
+        Charge(world);
+        return Left > 0 && !Log.Halted && !_stalls && Log.Evaluations <= _lastEvaluation;
+    }
 
     /// <summary>Counts a piece before it is taken.</summary>
+    /// <param name="world">The world, which counts the searches.</param>
     /// <returns>False if the step has used up its pieces or its evaluations.</returns>
-    public bool Begin()
+    public bool Begin(World world)
     {
+        Charge(world);
         Pieces++;
         if (Pieces % PiecesOfOneLength == 0)
         {
@@ -252,6 +259,14 @@ internal ref struct StepRun
     {
         Log.StiffSteps += _isStiff ? 0 : 1;
         _isStiff = true;
+    }
+
+    /// <summary>Counts the evaluations of gaps by the searches since the last call as evaluations of this step.</summary>
+    public void Charge(World world)
+    {
+        Log.SearchEvaluations += world.SearchEvaluations;
+        _lastEvaluation -= world.SearchEvaluations;
+        world.SearchEvaluations = 0;
     }
 
     /// <summary>Ends the step at the present position, because custom forces change too fast.</summary>

@@ -145,7 +145,7 @@ internal sealed class WorldGuard
         double length = sweep.Length;
         var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, length, isQuadratic: order <= 2);
         var gap = new PlaneGap(in path, plane.Normal, plane.DistanceTo(in path.Start) - _world.Ball.Radius);
-        double at = TimeOfImpact.First(ref gap, new SearchSpan(length, double.PositiveInfinity));
+        double at = TimeOfImpact.First(ref gap, new SearchSpan(length, double.PositiveInfinity), ref _world.SearchEvaluations);
         if (!(at <= length))
         {
             return false;

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Reflection;
+using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 using FootballPhysics.Tests.Support;
 
@@ -33,6 +34,24 @@ public sealed class StepBudgetTests
         run.Close();
         object after = log.Spent;
         Assert.All(counters, counter => Assert.Equal(counter.GetValue(spent), counter.GetValue(after)));
+    }
+
+    /// <summary>The evaluations of gaps by searches use up the budget of a step as those of forces do, also in the next call of the step.</summary>
+    [Fact]
+    public void Searches_count_as_evaluations()
+    {
+        World world = new Simulator(new Scene()).World;
+        var log = new StepLog { Continues = true };
+        var run = new StepRun(0.01, 0, log);
+        world.SearchEvaluations = 20_000;
+        Assert.True(run.Begin(world));
+        Assert.Equal(20_000, log.SearchEvaluations);
+        Assert.Equal(0, world.SearchEvaluations);
+        run.Close();
+        var next = new StepRun(0.01, 0, log);
+        world.SearchEvaluations = 10_000;
+        Assert.False(next.TakesParts(world));
+        Assert.False(next.Begin(world));
     }
 
     [Theory]

@@ -80,11 +80,23 @@ public sealed class CarriedStateTests
         }
     }
 
+    /// <summary>A search that could take a million short steps ends after some hundred: its steps grow. The first 512 do not.</summary>
+    [Fact]
+    public void A_search_in_short_steps_ends_soon()
+    {
+        List<double> times = TimesOf(new SearchSpan(1, 1), 0, 1e-6);
+        Assert.InRange(times.Count, 513, 600);
+        Assert.Equal(512e-6, times[512], 1e-12);
+        Assert.All(times.Zip(times.Skip(1)), pair => Assert.True(pair.Second > pair.First));
+    }
+
     /// <summary>The times at which a search evaluates a gap that stays open, if each step is equally long.</summary>
     private static List<double> TimesOf(in SearchSpan span, double from, double step)
     {
         var gap = new OpenGap(step);
-        Assert.Equal(double.PositiveInfinity, TimeOfImpact.First(ref gap, in span, from));
+        long evaluations = 0;
+        Assert.Equal(double.PositiveInfinity, TimeOfImpact.First(ref gap, in span, ref evaluations, from));
+        Assert.Equal(gap.Times.Count, evaluations);
         return gap.Times;
     }
 

@@ -8,6 +8,7 @@ public sealed partial class BallGroup
     {
         log.Steps += _flown.Steps;
         log.Evaluations += _flown.Evaluations;
+        log.SearchEvaluations += _flown.SearchEvaluations;
         log.StalledSteps += _flown.StalledSteps;
         log.StiffSteps += _flown.StiffSteps;
         log.UnreportedImpacts += _flown.UnreportedImpacts;
@@ -27,6 +28,7 @@ public sealed partial class BallGroup
             StepLog own = _logs[_cluster[k]];
             log.Steps += own.Steps;
             log.Evaluations += own.Evaluations;
+            log.SearchEvaluations += own.SearchEvaluations;
             log.StalledSteps += own.StalledSteps;
             log.StiffSteps += own.StiffSteps;
             log.UnreportedImpacts += own.UnreportedImpacts;

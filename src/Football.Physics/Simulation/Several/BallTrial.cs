@@ -166,7 +166,10 @@ internal sealed class BallTrial : PieceObserver
             double last = Math.Min(until, Math.Min(end, otherEnd));
             var gap = new BallGap(in mine, start, in its, otherStart, distance);
             var span = new SearchSpan(last, last) { Shortest = ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * last) };
-            double at = TimeOfImpact.First(ref gap, in span, time);
+            long evaluations = 0;
+            double at = TimeOfImpact.First(ref gap, in span, ref evaluations, time);
+            Log.SearchEvaluations += evaluations;
+            Log.Spent.Evaluations += evaluations;
             if (at < last || (atEnd && at == until))
             {
                 return at;
