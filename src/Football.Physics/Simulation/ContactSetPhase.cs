@@ -349,7 +349,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
                 Vector3d rate = contact.SlipRate(in system.Acceleration, in system.SpinAcceleration, from.Spin, _around.Radius);
-                h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
+                h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.Turning.Length);
             }
         }
 

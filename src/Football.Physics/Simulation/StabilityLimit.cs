@@ -296,16 +296,17 @@ internal static class TurnLimit
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
-    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes along the path.</param>
-    public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
+    /// <param name="turning">Rate at which the normal turns, 1/s: the rate turns with it.</param>
+    public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, double turning)
     {
         // Split the rate into components along and across the direction; the component across turns the direction.
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+        acrossSquared = Math.Max(acrossSquared, turning * turning * size * size);
 
         // The smaller the component across, the longer the piece: its length grows with the fourth root.
-        double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
+        double straight = acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
         double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
         double share = Math.Min(LargestShare, least * straight);
         return closing * h > share * size ? share * size / closing : h;

@@ -263,7 +263,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
-        h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.On.Turning == Vector3d.Zero) : h;
+        h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.On.Turning.Length) : h;
         piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
         piece.Start = system.LocksDirection ? system.RatesUnder(in piece.On, s.Time, in piece.From) : piece.Start;
         return true;

@@ -24,32 +24,33 @@ public sealed class TurnLimitTests
         Assert.Equal(0.01 * share, h, 1e-12);
     }
 
-    /// <summary>Across the direction an eighth of the size may change, against it three quarters; between them the share grows with the root of the angle, on flat surfaces.</summary>
+    /// <summary>Across the direction an eighth of the size may change, against it three quarters; between them the share grows with the root of the angle, if the surface hardly turns.</summary>
     [Theory]
-    [InlineData(0, 4, true, 0.02, 0.125)]
-    [InlineData(7, 4, true, 0.01, 0.125)]
-    [InlineData(7, 0.001, true, 0.02, 0.125)]
-    [InlineData(-4, 0, true, 0.02, 0.75)]
-    [InlineData(-4, 0, false, 0.02, 0.125)]
-    [InlineData(-4, 3, true, 0.02, 0.125)]
-    [InlineData(0, 4, true, 0.08, 0.25)]
-    [InlineData(0, 4, true, 5, 0.4)]
-    [InlineData(-4, 0.004, true, 0.02, 0.75)]
-    [InlineData(-4, 0.1, true, 0.02, 0.25)]
-    public void A_piece_changes_a_share_of_a_slip(double along, double across, bool isFlat, double step, double share)
+    [InlineData(0, 4, 0, 0.02, 0.125)]
+    [InlineData(7, 4, 0, 0.01, 0.125)]
+    [InlineData(7, 0.001, 0, 0.02, 0.125)]
+    [InlineData(-4, 0, 0, 0.02, 0.75)]
+    [InlineData(-4, 0, 100, 0.02, 0.125)]
+    [InlineData(-4, 0, 0.1, 0.02, 0.75)]
+    [InlineData(-4, 3, 0, 0.02, 0.125)]
+    [InlineData(0, 4, 0, 0.08, 0.25)]
+    [InlineData(0, 4, 0, 5, 0.4)]
+    [InlineData(-4, 0.004, 0, 0.02, 0.75)]
+    [InlineData(-4, 0.1, 0, 0.02, 0.25)]
+    public void A_piece_changes_a_share_of_a_slip(double along, double across, double turning, double step, double share)
     {
         const double Size = 0.03;
         Vector3d rate = (along * s_along) + (across * s_across);
         double closing = Math.Sqrt((across * across) + (along < 0 ? along * along : 0));
         double longest = share * Size / closing;
-        Assert.Equal(longest, TurnLimit.Shorten(100, step, s_along, Size, rate, isFlat), 1e-3 * longest);
-        Assert.Equal(0.9 * longest, TurnLimit.Shorten(0.9 * longest, step, s_along, Size, rate, isFlat));
+        Assert.Equal(longest, TurnLimit.Shorten(100, step, s_along, Size, rate, turning), 1e-3 * longest);
+        Assert.Equal(0.9 * longest, TurnLimit.Shorten(0.9 * longest, step, s_along, Size, rate, turning));
     }
 
     [Fact]
     public void The_share_doubles_if_a_slip_turns_by_a_quarter()
     {
-        double Of(double across) => TurnLimit.Shorten(100, 0.02, s_along, 1, (-1 * s_along) + (across * s_across), true);
+        double Of(double across) => TurnLimit.Shorten(100, 0.02, s_along, 1, (-1 * s_along) + (across * s_across), 0);
         double before = Of(0.05);
         Assert.Equal(2, Of(0.0125) / before, 0.02);
         Assert.True(Of(1e-9) > before);
