@@ -189,7 +189,7 @@ internal sealed class KickLogFuzz : FuzzTarget
         {
             ref readonly KickInput kick = ref log[i];
             Must(kick is { Tick: >= 0, Player: >= 0 } && kick.Velocity.Length <= Limits.Speed && kick.Spin.Length <= Limits.Spin, "a kick is beyond its limits");
-            Must(i == 0 || InputTree<KickInput>.Order(in log[i - 1], kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
+            Must(i == 0 || InputList<KickInput>.Order(in log[i - 1], kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
             Must(log.FirstAt(kick.Tick) <= i, "a kick is not found");
         }
 
@@ -197,7 +197,7 @@ internal sealed class KickLogFuzz : FuzzTarget
         {
             ref readonly PlaceInput place = ref log.PlaceAt(i);
             Must(place is { Tick: >= 0, Player: >= 0 } && place.Velocity.Length <= Limits.Speed && place.Spin.Length <= Limits.Spin, "a restart is beyond its limits");
-            Must(i == 0 || InputTree<PlaceInput>.Order(in log.PlaceAt(i - 1), place.Tick, place.Player, place.Ball) < 0, "restarts are out of order");
+            Must(i == 0 || InputList<PlaceInput>.Order(in log.PlaceAt(i - 1), place.Tick, place.Player, place.Ball) < 0, "restarts are out of order");
             Must(log.FirstPlaceAt(place.Tick) <= i, "a restart is not found");
         }
 

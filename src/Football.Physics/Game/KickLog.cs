@@ -13,8 +13,8 @@ namespace FootballPhysics.Netcode;
 /// </remarks>
 public sealed class KickLog
 {
-    private readonly InputTree<KickInput> _kicks;
-    private readonly InputTree<PlaceInput> _places = new(4);
+    private readonly InputList<KickInput> _kicks;
+    private readonly InputList<PlaceInput> _places = new(4);
     private readonly int _balls = KickInput.MostBalls;
 
     /// <summary>Creates an empty log.</summary>
@@ -23,7 +23,7 @@ public sealed class KickLog
     public KickLog(int capacity = 64)
     {
         Check.AtLeast(nameof(capacity), capacity, 1);
-        _kicks = new InputTree<KickInput>(capacity);
+        _kicks = new InputList<KickInput>(capacity);
     }
 
     /// <summary>Creates an empty log for a runner with the given number of balls.</summary>
@@ -266,7 +266,7 @@ public sealed class KickLog
             // A sum that exceeds 63 bits becomes negative, and KickInput rejects it.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && InputTree<KickInput>.Order(in log._kicks.At(i - 1), kick.Tick, kick.Player, kick.Ball) >= 0)
+            if (i > 0 && InputList<KickInput>.Order(in log._kicks.At(i - 1), kick.Tick, kick.Player, kick.Ball) >= 0)
             {
                 // Require sorted kicks without duplicates, so that every log has exactly one encoding.
                 throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
@@ -287,7 +287,7 @@ public sealed class KickLog
         {
             tick += reader.Long();
             PlaceInput place = PlaceBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && InputTree<PlaceInput>.Order(in _places.At(i - 1), place.Tick, place.Player, place.Ball) >= 0)
+            if (i > 0 && InputList<PlaceInput>.Order(in _places.At(i - 1), place.Tick, place.Player, place.Ball) >= 0)
             {
                 throw ByteReader.Broken("two restarts are not in order, or of one player and one ball at one tick");
             }

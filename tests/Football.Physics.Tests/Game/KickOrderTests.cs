@@ -4,7 +4,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>The order of kicks, against a sorted list; and kicks that are for no ball.</summary>
-public sealed class KickTreeTests
+public sealed class KickOrderTests
 {
     /// <summary>Kicks added, replaced and taken out at random: the log has those of a sorted dictionary.</summary>
     [Theory]
