@@ -6,17 +6,10 @@ namespace FootballPhysics.Contacts;
 /// <summary>The engine colliders that the ball has pushed since the engine placed them, with their saved motions.</summary>
 internal sealed class EnginePushes
 {
-    /// <summary>The buffers for saved motions: for a look-ahead, a group's step and a trial, and before and after a push.</summary>
-    public const int OfLook = 0;
-    public const int OfStep = 1;
-    public const int OfTry = 2;
-    public const int BeforePush = 3;
-    public const int AfterPush = 4;
-
     private static readonly ConditionalWeakTable<IEngineColliders, EnginePushes> s_all = new();
 
     private readonly List<EngineCollider> _pushed = [];
-    private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], [], [], [], []];
+    private IReadOnlyList<(EngineCollider Collider, EnginePush Push)>? _held;
 
     /// <summary>Returns the pushes of an engine.</summary>
     /// <remarks>Several simulators may share an engine, such as those of a match and its look-aheads. They share its pushed colliders
@@ -47,18 +40,22 @@ internal sealed class EnginePushes
         }
     }
 
-    /// <summary>Saves the motions.</summary>
-    public void Keep(int memory)
+    /// <summary>Holds the pushes that a look-ahead has saved, until it restores them.</summary>
+    /// <param name="saved">The saved pushes; null at the end of the look-ahead.</param>
+    public void Hold(IReadOnlyList<(EngineCollider Collider, EnginePush Push)>? saved) => _held = saved;
+
+    /// <summary>Copies the pushes.</summary>
+    public void Read(List<(EngineCollider Collider, EnginePush Push)> into)
     {
-        _kept[memory].Clear();
+        into.Clear();
         for (int i = 0; i < _pushed.Count; i++)
         {
-            _kept[memory].Add((_pushed[i], _pushed[i].PushSoFar));
+            into.Add((_pushed[i], _pushed[i].PushSoFar));
         }
     }
 
-    /// <summary>Restores the saved motions. Colliders first pushed since then get their original motions.</summary>
-    public void PutBack(int memory)
+    /// <summary>Restores copied pushes. Colliders first pushed since then get their original motions.</summary>
+    public void Write(List<(EngineCollider Collider, EnginePush Push)> from)
     {
         for (int i = 0; i < _pushed.Count; i++)
         {
@@ -66,17 +63,10 @@ internal sealed class EnginePushes
         }
 
         _pushed.Clear();
-        List<(EngineCollider Collider, EnginePush Push)> kept = _kept[memory];
-        for (int i = 0; i < kept.Count; i++)
+        for (int i = 0; i < from.Count; i++)
         {
-            kept[i].Collider.PushSoFar = kept[i].Push;
-            _pushed.Add(kept[i].Collider);
-        }
-
-        // The look-ahead is over: discard its pushes. Keep the others, because a step may be repeated.
-        if (memory == OfLook)
-        {
-            kept.Clear();
+            from[i].Collider.PushSoFar = from[i].Push;
+            _pushed.Add(from[i].Collider);
         }
     }
 
@@ -114,9 +104,9 @@ internal sealed class EnginePushes
     private bool IsKept(EngineCollider collider)
     {
         // A push stored during a look-ahead belongs to the real step, which continues after the look-ahead.
-        for (int i = 0; i < _kept[OfLook].Count; i++)
+        for (int i = 0; _held is not null && i < _held.Count; i++)
         {
-            if (_kept[OfLook][i].Collider == collider)
+            if (_held[i].Collider == collider)
             {
                 return true;
             }

@@ -168,20 +168,13 @@ internal sealed class EngineThings
         return nearest;
     }
 
-    /// <summary>Starts a step of a group: discards the pushes of earlier times, and saves the others.</summary>
-    public void BeginPushes()
-    {
-        Pushes.ForgetBefore(_engine.Time);
-        Pushes.Keep(EnginePushes.OfStep);
-    }
+    /// <summary>Starts a step of a group: discards the pushes of earlier times.</summary>
+    public void BeginPushes() => Pushes.ForgetBefore(_engine.Time);
 
-    /// <summary>Saves the pushes so far in one of the memories of <see cref="EnginePushes"/>.</summary>
-    public void KeepPushes(int memory) => Pushes.Keep(memory);
-
-    /// <summary>Restores the saved pushes.</summary>
-    public void PutPushesBack(int memory)
+    /// <summary>Restores copied pushes.</summary>
+    public void PutPushesBack(List<(EngineCollider Collider, EnginePush Push)> from)
     {
-        Pushes.PutBack(memory);
+        Pushes.Write(from);
         _isKnown = false;
     }
 

@@ -5,6 +5,8 @@ namespace FootballPhysics.Contacts;
 /// <content>The motions of the objects that a ball can push, read and restored together.</content>
 internal sealed partial class World
 {
+    private MotionSnapshot? _kept;
+
     /// <summary>Number of stored motions: bodies, then obstacles with a mass.</summary>
     public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
 
@@ -30,17 +32,18 @@ internal sealed partial class World
     /// <summary>Saves all motions before a look-ahead.</summary>
     public void KeepMotions()
     {
-        Bodies?.Keep();
-        Obstacles.Keep();
-        Engine?.KeepPushes(EnginePushes.OfLook);
+        _kept ??= new MotionSnapshot(this, Movers);
+        _kept.Save();
+        Bodies?.BeginLook();
+        Engine?.Pushes.Hold(_kept.Pushes);
     }
 
     /// <summary>Restores the saved motions.</summary>
     public void PutMotionsBack()
     {
-        Bodies?.PutBack();
-        Obstacles.PutBack();
-        Engine?.PutPushesBack(EnginePushes.OfLook);
+        _kept!.PutBack();
+        Bodies?.EndLook();
+        Engine?.Pushes.Hold(null);
     }
 
     /// <summary>Returns a box around a movable object, valid for a duration if the box moves at the object's velocity.</summary>

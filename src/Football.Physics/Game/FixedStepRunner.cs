@@ -1,7 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Game;
 using FootballPhysics.Numerics;
-using FootballPhysics.Scenes;
 
 namespace FootballPhysics;
 
@@ -26,7 +25,7 @@ public sealed partial class FixedStepRunner
     private readonly BallState[] _states;
     private readonly BallState[] _previous;
     private readonly BallState[] _before;
-    private RigidMotion[] _motions;
+    private MotionSnapshot _motions;
     private Simulator _simulator;
     private long _claim;
     private long _kickTicks = 36_000;
@@ -75,7 +74,7 @@ public sealed partial class FixedStepRunner
         Kicks = new KickLog(64, _states.Length);
         _previous = new BallState[_states.Length];
         _before = new BallState[_states.Length];
-        _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
+        _motions = MotionSnapshot.OfPushed(simulator.World);
         simulator.World.Bodies?.BeginMoves();
         _claim = simulator.World.Bodies?.Claim() ?? 0;
         double x = 0;
@@ -119,7 +118,7 @@ public sealed partial class FixedStepRunner
             ball.Simulator = value;
             _simulator = value;
             _claim = value.World.Bodies?.Claim() ?? 0;
-            _motions = new RigidMotion[value.World.GivesWay ? value.World.Movers : 0];
+            _motions = MotionSnapshot.OfPushed(value.World);
             StopRecording();
             Restore(Tick, ball.State);
         }
@@ -375,11 +374,7 @@ public sealed partial class FixedStepRunner
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
         world.Bodies?.CheckClaim(_claim);
-        if (_motions.Length > 0)
-        {
-            world.ReadMotions(_motions);
-        }
-
+        _motions.Save();
         try
         {
             // 1. Place the balls of this tick's restarts. 2. Position the bodies, which may follow the ball. 3. Apply the kicks. 4. Step.
@@ -410,11 +405,7 @@ public sealed partial class FixedStepRunner
         catch
         {
             Array.Copy(_before, _states, _states.Length);
-            if (_motions.Length > 0)
-            {
-                world.WriteMotions(_motions);
-            }
-
+            _motions.PutBack();
             throw;
         }
 

@@ -1,6 +1,5 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
-using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Prediction;
 
@@ -8,8 +7,8 @@ namespace FootballPhysics.Prediction;
 internal sealed class LookAheadMotions
 {
     private readonly World _world;
-    private readonly RigidMotion[] _start;
-    private readonly RigidMotion[] _now;
+    private readonly MotionSnapshot _start;
+    private readonly MotionSnapshot _now;
 
     /// <exception cref="ArgumentOutOfRangeException">The scene has engine colliders.</exception>
     public LookAheadMotions(World world)
@@ -20,36 +19,36 @@ internal sealed class LookAheadMotions
         }
 
         _world = world;
-        _start = new RigidMotion[world.Movers];
-        _now = new RigidMotion[world.Movers];
+        _start = new MotionSnapshot(world, world.Movers);
+        _now = new MotionSnapshot(world, world.Movers);
     }
 
     /// <summary>Saves the current motions as those of the start.</summary>
     public void Start()
     {
-        _world.ReadMotions(_start);
-        Restart();
+        _start.Save();
+        _now.Save();
     }
 
     /// <summary>Returns to the motions of the start.</summary>
-    public void Restart() => Array.Copy(_start, _now, _start.Length);
+    public void Restart() => Array.Copy(_start.All, _now.All, _now.All.Length);
 
     /// <summary>Replaces the game's motions by those of the look-ahead.</summary>
     public void Enter()
     {
-        if (_now.Length > 0)
+        if (_now.All.Length > 0)
         {
             _world.KeepMotions();
-            _world.WriteMotions(_now);
+            _now.PutBack();
         }
     }
 
     /// <summary>Restores the game's motions.</summary>
     public void Leave()
     {
-        if (_now.Length > 0)
+        if (_now.All.Length > 0)
         {
-            _world.ReadMotions(_now);
+            _now.Save();
             _world.PutMotionsBack();
         }
     }

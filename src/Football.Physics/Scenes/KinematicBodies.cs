@@ -20,7 +20,6 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
     private KinematicBody[] _bodies = [];
     private readonly MovingSpheres _movers = new();
-    private RigidMotion[] _kept = [];
     private bool _inUse;
     private double _earliest = double.PositiveInfinity;
     private double _latest = double.NegativeInfinity;
@@ -73,7 +72,6 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
         var body = new KinematicBody(this, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer, _movers.Add());
         _bodies = [.. _bodies, body];
-        _kept = new RigidMotion[Count];
         return body;
     }
 
@@ -318,29 +316,15 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>Saves all motions before a look-ahead that moves bodies.</summary>
-    internal void Keep()
+    /// <summary>Starts a look-ahead: its moves are not those of the next step.</summary>
+    internal void BeginLook()
     {
-        for (int i = 0; i < _kept.Length; i++)
-        {
-            _kept[i] = _bodies[i].Placement.Motion;
-        }
-
         _lookAhead = true;
         _recorded = double.NaN;
     }
 
-    /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
-    internal void PutBack()
-    {
-        // Use the setter, so that cached searches become invalid.
-        for (int i = 0; i < _kept.Length; i++)
-        {
-            _bodies[i].Motion = _kept[i];
-        }
-
-        _lookAhead = false;
-    }
+    /// <summary>Ends a look-ahead.</summary>
+    internal void EndLook() => _lookAhead = false;
 
     internal void Validate(BallProperties ball)
     {

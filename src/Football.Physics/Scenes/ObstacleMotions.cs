@@ -7,7 +7,6 @@ internal sealed class ObstacleMotions
     private readonly Placement?[] _placements;
     private readonly int[] _movable;
     private readonly RigidMotion[] _start;
-    private readonly RigidMotion[] _kept;
 
     public ObstacleMotions(IReadOnlyList<Obstacle> obstacles)
     {
@@ -31,7 +30,6 @@ internal sealed class ObstacleMotions
 
         _movable = movable.ToArray();
         _start = new RigidMotion[_movable.Length];
-        _kept = new RigidMotion[_movable.Length];
 
         // Store the motions at time 0 for a later Reset.
         Read(_start);
@@ -92,18 +90,6 @@ internal sealed class ObstacleMotions
                 _placements[_movable[i]]!.Motion = other._placements[other._movable[its]]!.Motion;
                 Version++;
             }
-        }
-    }
-
-    /// <summary>Saves all motions for <see cref="PutBack"/>.</summary>
-    public void Keep() => Read(_kept);
-
-    /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
-    public void PutBack()
-    {
-        if (Count > 0)
-        {
-            Write(_kept);
         }
     }
 

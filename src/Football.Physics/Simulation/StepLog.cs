@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics;
@@ -71,7 +72,7 @@ public sealed partial class StepLog
     internal bool Pushed { get; set; }
 
     /// <summary>Stores the motions before a push, for steps that are repeated; null if no steps are repeated.</summary>
-    internal MotionsBefore? Motions { get; set; }
+    internal MotionSnapshot? Motions { get; set; }
 
     /// <summary>True if a call continues a step: its counters then start at <see cref="Spent"/> instead of zero.</summary>
     internal bool Continues { get; set; }

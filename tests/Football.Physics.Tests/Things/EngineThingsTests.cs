@@ -71,6 +71,7 @@ public sealed class EngineThingsTests
     {
         var random = new Random(5);
         var pushes = EnginePushes.Of(new ShapesAsEngine());
+        var kept = new List<(EngineCollider Collider, EnginePush Push)>();
         var crate = new EngineCollider("crate", new BoxShape(Vector3d.Zero, new Vector3d(0.3, 0.4, 1.2))) { Mass = 2 };
         for (int i = 0; i < 200; i++)
         {
@@ -80,7 +81,7 @@ public sealed class EngineThingsTests
             Put();
             RigidMotion before = crate.Placement.Motion;
             Bounds3d box = crate.Placement.BoundsAt(0.3);
-            pushes.Keep(EnginePushes.OfLook);
+            pushes.Read(kept);
             for (int k = 0; k < 2; k++)
             {
                 pushes.Note(crate);
@@ -91,7 +92,7 @@ public sealed class EngineThingsTests
                 }
             }
 
-            pushes.PutBack(EnginePushes.OfLook);
+            pushes.Write(kept);
             Assert.True(before.IsSame(crate.Placement.Motion));
             Assert.Equal(box, crate.Placement.BoundsAt(0.3));
 
@@ -183,6 +184,7 @@ public sealed class EngineThingsTests
     public void A_push_at_a_later_time_ends_earlier_ones_except_in_a_look_ahead(bool looksAhead)
     {
         var pushes = EnginePushes.Of(new ShapesAsEngine());
+        var kept = new List<(EngineCollider Collider, EnginePush Push)>();
         EngineCollider[] all = [.. Enumerable.Range(0, 3).Select(i => new EngineCollider($"{i}", new SphereShape(Vector3d.Zero, 1)) { Mass = 2 })];
         foreach (EngineCollider collider in all)
         {
@@ -197,7 +199,8 @@ public sealed class EngineThingsTests
         Assert.Equal(new Vector3d(2, 0, 0), all[0].Placement.Motion.Velocity);
         if (looksAhead)
         {
-            pushes.Keep(EnginePushes.OfLook);
+            pushes.Read(kept);
+            pushes.Hold(kept);
         }
 
         // The engine places all of them again, at a later time.
@@ -212,7 +215,8 @@ public sealed class EngineThingsTests
         Assert.Equal(looksAhead ? 0 : double.NaN, all[0].PushedAt);
         if (looksAhead)
         {
-            pushes.PutBack(EnginePushes.OfLook);
+            pushes.Write(kept);
+            pushes.Hold(null);
             Assert.Equal(2, Count());
             Assert.Equal(new Vector3d(2, 0, 0), all[0].Placement.Motion.Velocity);
             Assert.Equal(Vector3d.Zero, all[2].Placement.Motion.Velocity);

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Simulation;
 
 /// <content>Objects pushed by balls.</content>
@@ -11,7 +13,7 @@ internal sealed partial class BallCluster
     public void ForgetShares() => _shares.Clear();
 
     /// <inheritdoc cref="PushShares.Find"/>
-    public bool FindShares(MotionsBefore motions, double dt)
+    public bool FindShares(MotionSnapshot motions, double dt)
     {
         bool found = _shares.Find(motions, dt);
         for (int i = 0; found && i < _isIn.Length; i++)

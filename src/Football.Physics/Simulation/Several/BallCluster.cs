@@ -125,7 +125,7 @@ internal sealed partial class BallCluster
     /// <param name="watched">Logs whose observers receive the paths; null for the cluster's own logs.</param>
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <returns>True if an event ended the step.</returns>
-    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
+    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionSnapshot motions)
     {
         // First find the balls that share a pushed object, because an observer must see only one pass.
         bool mayPush = _simulators[0].World.MayGiveWay;
@@ -147,7 +147,7 @@ internal sealed partial class BallCluster
         return watched is null ? ended : PlayOnce(states, dt, stopAt, watched, motions);
     }
 
-    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
+    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionSnapshot motions)
     {
         _current = watched ?? _logs;
         _clears = watched is null;

@@ -31,7 +31,7 @@ public sealed partial class BallGroup
     private readonly StepLog _flown;
     private readonly int[] _firstEvent;
     private BallEvent[] _reported = new BallEvent[16];
-    private readonly MotionsBefore _motions;
+    private readonly MotionSnapshot _motions;
     private readonly BallCluster _cluster;
 
     /// <summary>Creates a group of equal balls in one scene.</summary>
@@ -81,7 +81,7 @@ public sealed partial class BallGroup
             _logs[i] = new StepLog();
         }
 
-        _motions = new MotionsBefore(world);
+        _motions = MotionSnapshot.OfPushed(world);
         _flown.Motions = _motions;
         _cluster = new BallCluster(simulators, new ContactMaterial(Contact, simulators.Min(simulator => simulator.Scene.Ball.Bounce)), Contact.ImpactFriction, _before, _reaches, _logs);
     }

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the balls that can reach a pushed object, or see it in their search for bodies, if another ball can do so as well.</summary>
@@ -57,7 +59,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <returns>True if it found new ones.</returns>
-    public bool Find(MotionsBefore motions, double dt)
+    public bool Find(MotionSnapshot motions, double dt)
     {
         bool found = false;
         for (int i = 0; i < before.Length; i++)

@@ -7,58 +7,31 @@ namespace FootballPhysics.Simulation;
 /// <param name="world">The world.</param>
 internal sealed class PushedMotions(World world)
 {
-    private readonly RigidMotion[] _before = new RigidMotion[world.GivesWay ? world.Movers : 0];
-    private readonly RigidMotion[] _after = new RigidMotion[world.GivesWay ? world.Movers : 0];
-    private readonly RigidMotion[] _kept = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly MotionSnapshot _before = MotionSnapshot.OfPushed(world);
+    private readonly MotionSnapshot _after = MotionSnapshot.OfPushed(world);
+    private readonly MotionSnapshot _kept = MotionSnapshot.OfPushed(world);
     private readonly Bounds3d[] _boxes = new Bounds3d[world.GivesWay ? world.Movers : 0];
     private RigidMotion[] _first = [];
     private int _next;
 
     /// <summary>Saves all motions before a push.</summary>
-    public void ReadBefore()
-    {
-        Read(_before);
-        world.Engine?.KeepPushes(EnginePushes.BeforePush);
-    }
+    public void ReadBefore() => _before.Save();
 
     /// <summary>Saves all motions after a push, and restores those before it.</summary>
     public void ReadAfter()
     {
-        Read(_after);
-        Restore(_before);
-        world.Engine?.KeepPushes(EnginePushes.AfterPush);
-        world.Engine?.PutPushesBack(EnginePushes.BeforePush);
+        _after.Save();
+        _before.PutBack();
     }
 
     /// <summary>Restores all motions after the push.</summary>
-    public void PutAfter()
-    {
-        Restore(_after);
-        world.Engine?.PutPushesBack(EnginePushes.AfterPush);
-    }
+    public void PutAfter() => _after.PutBack();
 
     /// <summary>Saves all motions before a trial.</summary>
-    public void Keep()
-    {
-        Read(_kept);
-        world.Engine?.KeepPushes(EnginePushes.OfTry);
-    }
+    public void Keep() => _kept.Save();
 
     /// <summary>Restores the motions before the trial.</summary>
-    public void PutBack()
-    {
-        world.Engine?.PutPushesBack(EnginePushes.OfTry);
-        Restore(_kept);
-    }
-
-    /// <summary>Restores saved motions.</summary>
-    private void Restore(RigidMotion[] motions)
-    {
-        if (motions.Length > 0)
-        {
-            world.WriteMotions(motions);
-        }
-    }
+    public void PutBack() => _kept.PutBack();
 
     /// <summary>True if a ball may reach an object whose motion the push changes.</summary>
     /// <param name="position">Position of the ball, m.</param>
@@ -68,13 +41,15 @@ internal sealed class PushedMotions(World world)
     public bool MayBeMet(in Vector3d position, double reach, double time, double end)
     {
         bool meets = world.Engine is not null;
-        for (int m = 0; m < _before.Length && !meets; m++)
+        for (int m = 0; m < _boxes.Length && !meets; m++)
         {
-            if (_before[m].Velocity != _after[m].Velocity)
+            Vector3d before = _before.All[m].Velocity;
+            Vector3d after = _after.All[m].Velocity;
+            if (before != after)
             {
                 // The volume that the object sweeps until the end, both with and without the push.
                 Bounds3d box = world.BoundsOfMover(m, time, end - time);
-                box = box.Union(box.Translated((end - time) * _before[m].Velocity)).Union(box.Translated((end - time) * _after[m].Velocity));
+                box = box.Union(box.Translated((end - time) * before)).Union(box.Translated((end - time) * after));
                 meets = box.Expanded(reach).Intersects(new Bounds3d(position, position));
             }
         }
@@ -86,21 +61,21 @@ internal sealed class PushedMotions(World world)
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <param name="time">Start time of the step, s.</param>
     /// <param name="dt">Length of the step, s.</param>
-    public void BeginPushes(MotionsBefore motions, double time, double dt)
+    public void BeginPushes(MotionSnapshot motions, double time, double dt)
     {
         _first = motions.All;
         _next = 0;
-        Read(_after);
+        _after.Save();
 
         // The box of an object that rotates since an earlier time is larger before the push than after it.
-        Restore(_first);
+        motions.PutBack();
         for (int m = 0; m < _boxes.Length; m++)
         {
             Bounds3d at = world.BoundsOfMover(m, time, dt);
             _boxes[m] = at.Union(at.Translated(dt * _first[m].Velocity));
         }
 
-        Restore(_after);
+        _after.PutBack();
     }
 
     /// <summary>Returns the next pushed object.</summary>
@@ -110,30 +85,23 @@ internal sealed class PushedMotions(World world)
     /// <returns>False after the last one.</returns>
     public bool NextPush(double time, double dt, out Bounds3d box)
     {
-        for (; _next < _after.Length; _next++)
+        for (; _next < _boxes.Length; _next++)
         {
-            Vector3d change = _after[_next].Velocity - _first[_next].Velocity;
+            Vector3d after = _after.All[_next].Velocity;
+            Vector3d change = after - _first[_next].Velocity;
             if (change != Vector3d.Zero)
             {
                 // Bound the position: extend the motion after the push over the entire step. The error is at most |ΔV| dt; double it for opposing
                 // pushes.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
-                box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length).Union(_boxes[_next]);
+                box = at.Union(at.Translated(dt * after)).Expanded(2.0 * dt * change.Length).Union(_boxes[_next]);
                 _next++;
                 return true;
             }
         }
 
-        int engine = _next++ - _after.Length;
+        int engine = _next++ - _boxes.Length;
         box = default;
         return world.Engine is { } colliders && colliders.Pushes.Has(engine, time, dt, out box);
-    }
-
-    private void Read(RigidMotion[] into)
-    {
-        if (into.Length > 0)
-        {
-            world.ReadMotions(into);
-        }
     }
 }
