@@ -17,9 +17,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
     private BallState _openEnd;
     private double _openLength;
     private bool _isShown; // true if it has been completed for a pause
-
-    /// <summary>True to take the acceleration at the end of a step of flight from the start of the next one.</summary>
-    public bool LeavesOpen { get; set; }
+    private bool _leavesOpen; // true if the acceleration at the end of a step of flight comes from the start of the next one
 
     /// <summary>True to end with the last segment that fits; false to end at the first one that does not.</summary>
     public bool EndsWhenFull { get; set; } = true;
@@ -35,10 +33,12 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         Overflows = false;
         _open = -1;
         _isShown = false;
-        LeavesOpen = false;
         _untilPlane = request.UntilPlane is not null;
         _plane = request.UntilPlane.GetValueOrDefault();
         _untilPassing = request.UntilPassing is not null;
+
+        // The stop conditions need the shape of each segment at once, and a group may repeat its steps.
+        _leavesOpen = !(_untilPlane || _untilPassing || GoesOn);
         if (_untilPassing)
         {
             _passing ??= new PassingCriterion();
@@ -50,7 +50,7 @@ internal sealed class PathRecorder(Trajectory owner, PathSegment[] pieces) : Pat
         Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree)
     {
         double length = end.Time - time;
-        if (!LeavesOpen)
+        if (!_leavesOpen)
         {
             stepper.EndAcceleration(in end, length, out Vector3d atEnd);
             _owner.Log.Evaluations++;

@@ -1,4 +1,3 @@
-using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
@@ -26,16 +25,15 @@ public static class SimulatorExtensions
         Check.Given(nameof(simulator), simulator);
         Check.Given(nameof(request), request);
         Check.Given(nameof(into), into);
-        request.Validate();
-        request.CheckClock(in from);
-        BallState.Launched(in from);
-        Run(simulator, in from, request, into, endsWhenFull: false);
-
-        // A path that exactly fills the buffer is complete. Only a path that overflows it is simulated again.
-        if (into.Overflows)
+        LookAheadSteps steps = into.Alone;
+        steps.Start(simulator, in from, request);
+        steps.Begin(endsWhenFull: false);
+        steps.Run();
+        if (steps.IsTooLong)
         {
             // Simulate again, up to the last segment that fits.
-            Run(simulator, in from, request, into, endsWhenFull: true);
+            steps.Begin(endsWhenFull: true);
+            steps.Run();
         }
     }
 
@@ -57,22 +55,20 @@ public static class SimulatorExtensions
         Check.Given(nameof(from), from);
         Check.Given(nameof(request), request);
         Check.Given(nameof(into), into);
-        CheckGroup(group, from, request, into);
-        var steps = new GroupLookAheadSteps(group, into);
-        steps.Begin(from, request);
-        BeginMoving(group.SimulatorOf(0), into[0], in from[0]);
-        try
+        if (into.Length != group.Count)
         {
-            while (steps.Take())
-            {
-            }
+            throw new ArgumentException($"into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one trajectory for each ball.");
         }
-        finally
+
+        for (int i = 0; i < into.Length; i++)
         {
-            // Restore the bodies, and end each path at its ball's position, even after an exception.
-            EndMoving(group.SimulatorOf(0), into[0]);
-            steps.End(isComplete: true);
+            Check.GivenItem(nameof(into), i, into[i], "a trajectory");
         }
+
+        var steps = new LookAheadSteps(group, into);
+        steps.Start(from, request);
+        steps.Begin(endsWhenFull: false);
+        steps.Run();
     }
 
     /// <summary>Compiles the code and builds the tables in advance, so that no frame of your game is delayed.</summary>
@@ -118,113 +114,5 @@ public static class SimulatorExtensions
         }
 
         WarmUpScenes.Group(simulator.Settings, log);
-    }
-
-    /// <summary>Runs a look-ahead to its end.</summary>
-    private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
-    {
-        var steps = new LookAheadSteps(simulator, in from, request, into, endsWhenFull);
-        BeginMoving(simulator, into, in from);
-        try
-        {
-            while (steps.Take())
-            {
-            }
-        }
-        catch
-        {
-            // Remove the segments of the failed step.
-            into.Break(in steps.State);
-            throw;
-        }
-        finally
-        {
-            EndMoving(simulator, into);
-        }
-
-        into.End(in steps.State);
-    }
-
-    /// <summary>Throws if a group cannot look ahead with these arguments.</summary>
-    internal static void CheckGroup(BallGroup group, BallState[] from, LookAheadRequest request, Trajectory[] into)
-    {
-        request.Validate();
-        if (from.Length != group.Count || into.Length != group.Count)
-        {
-            throw new ArgumentException($"from has {from.Length} states and into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one of each for each ball.");
-        }
-
-        // If a single ball reached the plane, all paths would end.
-        if (request.UntilPlane is not null || request.UntilPassing is not null)
-        {
-            string field = request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane";
-            throw Check.Conflict(field, field + " is not supported for several balls. Leave it unset, and search each path for the crossing.");
-        }
-
-        request.CheckClock(in from[0]);
-        for (int i = 0; i < into.Length; i++)
-        {
-            BallState.Launched(in from[i]);
-            Check.GivenItem(nameof(into), i, into[i], "a trajectory");
-        }
-    }
-
-    /// <summary>Starts the motion of the game's bodies and of movable obstacles for a look-ahead.</summary>
-    private static void BeginMoving(Simulator simulator, Trajectory path, in BallState from)
-    {
-        // The look-ahead also pushes movable objects, and restores them afterwards.
-        World world = simulator.World;
-        path.Log.Pushes = world.MayGiveWay;
-        if (path.OnStep is not null || world.MayGiveWay)
-        {
-            world.KeepMotions();
-
-            // Move the bodies to the start time, because the game may have set them to another time.
-            path.OnStep?.Invoke(in from);
-        }
-    }
-
-    /// <summary>Restores the bodies and movable obstacles.</summary>
-    private static void EndMoving(Simulator simulator, Trajectory path)
-    {
-        if (path.OnStep is not null || simulator.World.MayGiveWay)
-        {
-            simulator.World.PutMotionsBack();
-        }
-    }
-
-    /// <summary>Predicts in whole steps; the last step may end after the requested duration.</summary>
-    internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
-    {
-        into.Begin(simulator, in from, request, endsWhenFull: false);
-        simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
-    }
-
-    /// <summary>Extends a trajectory in whole steps up to a time, or to the event that ends it.</summary>
-    internal static void Extend(this Simulator simulator, Trajectory path, double end, double timeStep, StopAt stopAt)
-    {
-        BallState state = path.Final;
-        path.Resume();
-        path.Log.StopAt = stopAt;
-        BeginMoving(simulator, path, in state);
-        try
-        {
-            while (state.Time < end && !path.Log.Halted && !simulator.StaysAtRest(in state))
-            {
-                simulator.Advance(ref state, timeStep, path.Log);
-                path.OnStep?.Invoke(in state);
-            }
-        }
-        catch
-        {
-            path.Break(in state);
-            throw;
-        }
-        finally
-        {
-            EndMoving(simulator, path);
-        }
-
-        path.End(in state);
     }
 }

@@ -13,6 +13,7 @@ public sealed partial class Trajectory
     private readonly PathRecorder _recorder;
     private PathSegment[] _pieces;
     private BallState _final;
+    private LookAheadSteps? _alone;
     private Action<double>? _bodiesAt;
 
     /// <summary>Creates a trajectory with its own buffer, which grows if a path does not fit.</summary>
@@ -63,6 +64,9 @@ public sealed partial class Trajectory
     public long StiffSteps => Log.StiffSteps;
 
     internal StepLog Log { get; } = new();
+
+    /// <summary>The steps of a look-ahead of one ball into this path.</summary>
+    internal LookAheadSteps Alone => _alone ??= new LookAheadSteps(null, [this]);
 
     internal int Count { get; set; }
 
@@ -239,10 +243,12 @@ public sealed partial class Trajectory
         _final = from;
     }
 
+    /// <summary>Ends the path; it is incomplete if a segment did not fit.</summary>
     internal void End(in BallState final)
     {
         _recorder.Close();
         _final = final;
+        IsComplete &= !_recorder.Overflows;
     }
 
     /// <summary>Returns the buffer, twice as large if it is full and is the trajectory's own.</summary>
@@ -255,9 +261,6 @@ public sealed partial class Trajectory
 
         return _pieces;
     }
-
-    /// <summary>Marks the path incomplete if a segment did not fit.</summary>
-    internal void EndFull() => IsComplete &= !_recorder.Overflows;
 
     /// <summary>True if a ball is on the path: no kick or hit has moved it away.</summary>
     /// <param name="ball">The ball.</param>
@@ -283,9 +286,6 @@ public sealed partial class Trajectory
         IsComplete = false;
     }
 
-    /// <summary>Lets pieces of flight take the acceleration at their ends from the next step, if no stop condition needs their shape at once.</summary>
-    internal void LeaveOpen(LookAheadRequest request) => _recorder.LeavesOpen = request.UntilPlane is null && request.UntilPassing is null;
-
     /// <summary>Continues after <see cref="Pause"/>.</summary>
     internal void GoOn() => IsComplete = true;
 
@@ -293,7 +293,6 @@ public sealed partial class Trajectory
     internal void Resume()
     {
         Uses++;
-        Log.Halted = false;
         IsComplete = true;
     }
 

@@ -11,6 +11,7 @@ public sealed class TrajectoryCache
 {
     private readonly Simulator _simulator;
     private readonly LookAheadRequest _request;
+    private readonly LookAheadSteps _steps;
     private bool _valid;
 
     /// <summary>Creates a cache for the prediction of a ball in one scene.</summary>
@@ -28,6 +29,7 @@ public sealed class TrajectoryCache
         Check.NotNegative(nameof(tolerance), tolerance);
         Tolerance = tolerance;
         Path = new Trajectory(capacity);
+        _steps = new LookAheadSteps(null, [Path]);
     }
 
     /// <summary>The predicted path; it starts at or before the ball's last known time.</summary>
@@ -57,25 +59,20 @@ public sealed class TrajectoryCache
 
         // First mark the path as invalid, so that it is not reused if an exception interrupts the update.
         _valid = false;
-        if (!keeps)
+        if (keeps)
         {
-            _simulator.LookAheadInWholeSteps(in real, _request, Path);
-            _valid = true;
+            // The ball follows the path: drop the part that the ball has passed.
+            Path.Forget(real.Time);
+        }
+        else
+        {
+            Begin(in real);
             Recomputations++;
-            return true;
         }
 
-        // The ball follows the path: drop the part that the ball has passed, and extend the path by complete steps.
-        Path.Forget(real.Time);
-
-        // A path that ended at an event cannot be extended.
-        if (!Path.Log.Halted)
-        {
-            _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
-        }
-
+        Extend(real.Time);
         _valid = true;
-        return false;
+        return !keeps;
     }
 
     /// <summary>Repeats the updates from the state at which the path was last recomputed up to a later time, as a rollback requires.</summary>
@@ -84,16 +81,33 @@ public sealed class TrajectoryCache
     internal void Repeat(in BallState start, double time)
     {
         _valid = false;
-        _simulator.LookAheadInWholeSteps(in start, _request, Path);
+        Begin(in start);
+        Extend(start.Time);
 
         // Extend the path in parts, so that it fits into the memory that sufficed before.
-        for (double at = start.Time; at < time && !Path.Log.Halted;)
+        for (double at = start.Time; at < time && !_steps.IsHalted;)
         {
             Path.Forget(at);
             at = Math.Min(time, at + (0.5 * _request.Duration));
-            _simulator.Extend(Path, at + _request.Duration, _request.TimeStep, _request.StopAt);
+            Extend(at);
         }
 
         _valid = true;
+    }
+
+    private void Begin(in BallState from)
+    {
+        _steps.Start(_simulator, in from, _request);
+        _steps.Begin(endsWhenFull: false);
+    }
+
+    /// <summary>Extends the path by complete steps up to the duration after a time, or to the event that ends it.</summary>
+    private void Extend(double time)
+    {
+        if (!_steps.IsHalted)
+        {
+            _steps.Extend(time + _request.Duration);
+            _steps.Run();
+        }
     }
 }

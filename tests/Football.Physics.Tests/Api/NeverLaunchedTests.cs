@@ -28,7 +28,7 @@ public sealed class NeverLaunchedTests
         Refused(state => two.Step([state, launched], 0.01, new StepLog()));
         Refused(state => two.Run([launched, state], 0.01, 1, StopAt.Rest, new StepLog()));
         Refused(state => two.LookAhead([launched, state], s_request, [new Trajectory(), new Trajectory()]));
-        var run = new GroupLookAheadRun(two);
+        var run = new LookAheadRun(two);
         Refused(state => run.Start([launched, state], s_request));
         Refused(state => run.Follows(1, in state));
     }

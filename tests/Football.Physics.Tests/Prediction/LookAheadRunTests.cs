@@ -105,7 +105,7 @@ public sealed class LookAheadRunTests
         Trajectory[] whole = [new Trajectory(capacity), new Trajectory(capacity), new Trajectory(capacity)];
         group.LookAhead(from, request, whole);
         (group, from) = Make();
-        var run = new GroupLookAheadRun(group, capacity);
+        var run = new LookAheadRun(group, capacity);
         run.Start(from, request);
         BallState[] played = [.. from];
         var log = new StepLog();
@@ -220,7 +220,7 @@ public sealed class LookAheadRunTests
         BallState[] from = [simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, 6, -18), Vector3d.Zero), simulator.Launch(new Vector3d(5, 0.11, 0), new Vector3d(2, 6, -18), Vector3d.Zero)];
         var request = new LookAheadRequest { Duration = 1, TimeStep = 0.01, StopAt = StopAt.Time };
         var one = new LookAheadRun(simulator);
-        var several = new GroupLookAheadRun(new BallGroup(simulator, 2));
+        var several = new LookAheadRun(new BallGroup(simulator, 2));
         one.Start(in from[0], request);
         several.Start(from, request);
         long steps = 0;

@@ -71,7 +71,7 @@ internal static class Queries
         }
 
         var group = new BallGroup(new Simulator(Pitch.Cage.On()), 3);
-        var runs = new GroupLookAheadRun(group);
+        var runs = new LookAheadRun(group);
         for (int i = 0; i < 10; i++)
         {
             BallState[] states = [.. Enumerable.Range(0, 3).Select(at => group.SimulatorOf(at).Launch(new Vector3d(0.4 * at, 0.3, 0), draw.Vector(8), default))];
