@@ -130,6 +130,10 @@ public readonly struct PathSegment
 #endif
     }
 
+    /// <summary>Returns the cubic between two positions with velocities, from time 0.</summary>
+    internal static PathSegment Cubic(in Vector3d start, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double length) =>
+        new(0, length, in start, in velocity, default, in end, in endVelocity, default, MotionState.Airborne, 3);
+
     /// <summary>Returns the cubic between the ends of a step without events.</summary>
     internal static PathSegment Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
@@ -190,29 +194,20 @@ public readonly struct PathSegment
             return StartPosition;
         }
 
-        if (_degree == 2)
-        {
-            // p₀ + v₀ τ + (p₁ − p₀ − v₀ h) s²
-            double s = t / Length;
-            return StartPosition + (t * StartVelocity) + (s * s * (EndPosition - StartPosition - (Length * StartVelocity)));
-        }
-
-        return _degree == 3 ? CubicCurve.PositionAt(t) : QuinticCurve.PositionAt(t);
+        // p₀ + v₀ t + s² (c₂ + s c₃) or p₀ + v₀ t + a₀ t²/2 + s³ (c₃ + s (c₄ + s c₅)), s = t / length
+        double s = t / Length;
+        PathPolynomial c = Curve;
+        return _degree == 5
+            ? StartPosition + (t * (StartVelocity + (0.5 * t * StartAcceleration))) + (s * s * s * (c.C3 + (s * (c.C4 + (s * c.C5)))))
+            : StartPosition + (t * StartVelocity) + (s * s * (c.C2 + (s * c.C3)));
     }
 
     /// <summary>Returns the velocity at a time, in m/s.</summary>
     /// <param name="time">The time since the launch, in s; outside the segment the curve is extrapolated.</param>
     public Vector3d VelocityAt(double time)
     {
-        double t = time - Time;
-        if (!(Length > 0))
-        {
-            return StartVelocity;
-        }
-
-        return _degree == 2 ? StartVelocity + (t / Length * (EndVelocity - StartVelocity))
-            : _degree == 3 ? CubicCurve.VelocityAt(t)
-            : QuinticCurve.VelocityAt(t);
+        // The velocity of a low-order method is not the derivative of its path.
+        return _degree == 2 && Length > 0 ? StartVelocity + ((time - Time) / Length * (EndVelocity - StartVelocity)) : PathVelocity(time);
     }
 
     /// <summary>Returns the segment relative to an object with constant velocity that was at the origin at time 0.</summary>
@@ -302,19 +297,22 @@ public readonly struct PathSegment
     /// <summary>Returns the derivative of the path. For methods of low order it differs from the method's velocity.</summary>
     private Vector3d PathVelocity(double time)
     {
-        if (_degree > 2 || !(Length > 0))
+        if (!(Length > 0))
         {
-            return VelocityAt(time);
+            return StartVelocity;
         }
 
-        double s = (time - Time) / Length;
-        return StartVelocity + (2.0 * s / Length * (EndPosition - StartPosition - (Length * StartVelocity)));
+        double t = time - Time;
+        double s = t / Length;
+        PathPolynomial c = Curve;
+        return _degree == 5
+            ? StartVelocity + (t * StartAcceleration) + (s * s / Length * ((3.0 * c.C3) + (s * ((4.0 * c.C4) + (5.0 * s * c.C5)))))
+            : StartVelocity + (s / Length * ((2.0 * c.C2) + (3.0 * s * c.C3)));
     }
 
-    private CubicHermite3d CubicCurve => new(StartPosition, StartVelocity, EndPosition, EndVelocity, Length);
-
-    private QuinticHermite3d QuinticCurve =>
-        new(StartPosition, StartVelocity, StartAcceleration, EndPosition, EndVelocity, EndAcceleration, Length);
+    /// <summary>The path as a polynomial in the elapsed share of the segment.</summary>
+    internal PathPolynomial Curve => PathPolynomial.Between(
+        in _startPosition, in _startVelocity, in _startAcceleration, in _endPosition, in _endVelocity, in _endAcceleration, _length, _degree);
 
     /// <summary>Returns the time at which a nearly linear rate changes its sign; the end if it does not, as on a straight path.</summary>
     private double TurningTime<TRate>(TRate rate)

@@ -35,7 +35,7 @@ internal readonly struct ZoneSearch
     /// <param name="shape">Its shape.</param>
     /// <param name="hollow">Its strongest concave curvature, 1/m.</param>
     /// <param name="level">Distance of the centre at which the ball is in the zone, m.</param>
-    public ZoneSearch(StepLog log, in ZonePath path, int zone, IShape shape, double hollow, double level)
+    public ZoneSearch(StepLog log, in PathPolynomial path, int zone, IShape shape, double hollow, double level)
     {
         _log = log;
         _zone = zone;
@@ -185,9 +185,9 @@ internal readonly struct ZoneSearch
     private void Add(double s, bool enters) => _log.AddCrossing(new ZoneCrossing(Math.Min(s, 1), _zone, enters));
 
     /// <summary>The signed distance of the ball from the zone along the path.</summary>
-    private readonly struct Border(in ZonePath path, IShape shape, double level)
+    private readonly struct Border(in PathPolynomial path, IShape shape, double level)
     {
-        private readonly ZonePath _path = path;
+        private readonly PathPolynomial _path = path;
         private readonly IShape _shape = shape;
         private readonly double _level = level - Zone.Touching;
 

@@ -1,3 +1,4 @@
+using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Simulation;
@@ -108,7 +109,15 @@ internal sealed class ZoneWatch
         log.ZonePlace = after.Position;
         if (IsNear(in before, in after, in startAcceleration))
         {
-            var path = ZonePath.Of(in before, in after, in startAcceleration, in endAcceleration, PathSegment.DegreeOf(order, hasEndAcceleration: true));
+            var path = PathPolynomial.Between(
+                before.Position,
+                before.Velocity,
+                in startAcceleration,
+                after.Position,
+                after.Velocity,
+                in endAcceleration,
+                after.Time - before.Time,
+                PathSegment.DegreeOf(order, hasEndAcceleration: true));
             Find(log, in path);
             Report(log, in path, in before, in after);
         }
@@ -126,17 +135,18 @@ internal sealed class ZoneWatch
         log.ZonePlace = to;
         if (_all.Intersects(BoundsOf(in from, in to)))
         {
-            var path = ZonePath.Line(in from, in to);
+            var path = PathPolynomial.Line(in from, in to);
             Find(log, in path);
             Report(log, in path, in s, in s);
         }
     }
 
-    private void Find(StepLog log, in ZonePath path)
+    private void Find(StepLog log, in PathPolynomial path)
     {
+        Bounds3d box = path.Bounds;
         for (int i = 0; i < _zones.Length; i++)
         {
-            if (IsNear(i, path.Bounds))
+            if (IsNear(i, in box))
             {
                 new ZoneSearch(log, in path, i, _zones[i].Shape, _hollows[i], _levels[i]).Run();
             }
@@ -157,7 +167,7 @@ internal sealed class ZoneWatch
     }
 
     /// <summary>Reports the crossings of a piece in order.</summary>
-    private void Report(StepLog log, in ZonePath path, in BallState before, in BallState after)
+    private void Report(StepLog log, in PathPolynomial path, in BallState before, in BallState after)
     {
         double h = after.Time - before.Time;
         foreach (ref readonly ZoneCrossing crossing in log.TakeCrossings())

@@ -1,4 +1,5 @@
 using FootballPhysics.Numerics;
+using FootballPhysics.Prediction;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Numerics;
@@ -52,7 +53,7 @@ public sealed class HermiteTests
         {
             double h = random.Uniform(0.01, 2);
             Vector3d[] c = [.. Enumerable.Range(0, 4).Select(_ => random.Direction())];
-            var curve = new CubicHermite3d(Position(c, 0), Velocity(c, 0), Position(c, h), Velocity(c, h), h);
+            var curve = PathSegment.Cubic(Position(c, 0), Velocity(c, 0), Position(c, h), Velocity(c, h), h);
             double t = random.Uniform(0, h);
             Assert.True(Vector3d.Distance(Position(c, t), curve.PositionAt(t)) < 1e-13);
             Assert.True(Vector3d.Distance(Velocity(c, t), curve.VelocityAt(t)) < 1e-12);
@@ -67,8 +68,8 @@ public sealed class HermiteTests
         {
             double h = random.Uniform(0.01, 2);
             Vector3d[] c = [.. Enumerable.Range(0, 6).Select(_ => random.Direction())];
-            var curve = new QuinticHermite3d(
-                Position(c, 0), Velocity(c, 0), Acceleration(c, 0), Position(c, h), Velocity(c, h), Acceleration(c, h), h);
+            var curve = new PathSegment(
+                0, h, Position(c, 0), Velocity(c, 0), Acceleration(c, 0), Position(c, h), Velocity(c, h), Acceleration(c, h), MotionState.Airborne, 5);
             double t = random.Uniform(0, h);
             Assert.True(Vector3d.Distance(Position(c, t), curve.PositionAt(t)) < 1e-12);
             Assert.True(Vector3d.Distance(Velocity(c, t), curve.VelocityAt(t)) < 1e-10);

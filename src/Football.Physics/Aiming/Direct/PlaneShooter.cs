@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
+using FootballPhysics.Prediction;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Aiming;
@@ -223,7 +224,7 @@ internal struct PlaneCrossing(in Vector3d point, in Vector3d pointVelocity, in V
             return false;
         }
 
-        var path = new CubicHermite3d(start.Position, start.Velocity, end.Position, end.Velocity, length);
+        var path = PathSegment.Cubic(start.Position, start.Velocity, end.Position, end.Velocity, length);
         double t = s * length;
         Take(start.Time + t, path.PositionAt(t), path.VelocityAt(t));
         return true;

@@ -96,7 +96,7 @@ internal sealed class ShareSearch(PathSpans path, WindowList windows)
         int owner = -1;
         double first = double.PositiveInfinity;
         double second = double.PositiveInfinity;
-        span.PlaceAt(time, out double x, out double z);
+        Vector3d at = span.PositionAt(time);
         for (int i = 0; i < _runners; i++)
         {
             if (!HasWindow(i, window))
@@ -107,7 +107,7 @@ internal sealed class ShareSearch(PathSpans path, WindowList windows)
             // Compute his earliest arrival time at this point. It is never later than the ball's arrival, because he can reach the ball.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
-            double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
+            double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((at.X - cx) * (at.X - cx)) + ((at.Z - cz) * (at.Z - cz)))));
             if (arrival < first)
             {
                 second = first;

@@ -74,11 +74,11 @@ internal struct WindowSearch(PathSpans path, in RunnerMotion runner, int index, 
         bool near = end <= nearUntil;
         if (!near)
         {
-            span.PlaceAt(t, out double x, out double z);
+            Vector3d at = span.PositionAt(t);
             _runner.MiddleAt(t, out double cx, out double cz);
 
             // Compute the distance between player and ball, and by how much it can change over this part.
-            double distance = Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)));
+            double distance = Math.Sqrt(((at.X - cx) * (at.X - cx)) + ((at.Z - cz) * (at.Z - cz)));
             double drift = (span.Speed + _runner.CarriedAt(t)) * (end - t);
             double gap = distance - _runner.RadiusAt(t);
 

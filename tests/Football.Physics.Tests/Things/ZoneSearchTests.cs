@@ -1,9 +1,10 @@
+using FootballPhysics.Numerics;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>The path on which crossings of zones are searched, and the search itself against dense samples.</summary>
-public sealed class ZonePathTests
+public sealed class ZoneSearchTests
 {
     private const double Duration = 0.25;
     private const int Samples = 4000;
@@ -18,7 +19,7 @@ public sealed class ZonePathTests
         var random = new Random(degree);
         for (int draw = 0; draw < 50; draw++)
         {
-            ZonePath path = Draw(random, degree, 1, out BallState before, out BallState after, out Vector3d a, out Vector3d b);
+            PathPolynomial path = Draw(random, degree, 1, out BallState before, out BallState after, out Vector3d a, out Vector3d b);
             Near(before.Position, path.At(0));
             Near(after.Position, path.At(1));
             Near(Duration * before.Velocity, path.RateAt(0));
@@ -61,7 +62,7 @@ public sealed class ZonePathTests
         var random = new Random(10 + degree);
         for (int draw = 0; draw < 50; draw++)
         {
-            ZonePath path = Draw(random, degree, 1, out BallState before, out BallState after, out Vector3d a, out Vector3d b);
+            PathPolynomial path = Draw(random, degree, 1, out BallState before, out BallState after, out Vector3d a, out Vector3d b);
             double speed = 0;
             double bend = 0;
             for (int i = 0; i <= 200; i++)
@@ -77,7 +78,7 @@ public sealed class ZonePathTests
             var off = new Vector3d(300, -200, 100);
             before.Position += off;
             after.Position += off;
-            var moved = ZonePath.Of(in before, in after, in a, in b, degree);
+            var moved = Between(in before, in after, in a, in b, degree);
             Assert.Equal(path.FastestSpeed, moved.FastestSpeed, 1e-9);
             Assert.Equal(path.GreatestAcceleration, moved.GreatestAcceleration, 1e-9);
             Near(path.Bounds.Min + off, moved.Bounds.Min);
@@ -106,7 +107,7 @@ public sealed class ZonePathTests
                 "box" => new BoxShape(default, new Vector3d(0.4, 0.6, 0.3)),
                 _ => new PlaneShape(new Vector3d(0, -0.2, 0), new Vector3d(0.3, 1, 0).Normalized()),
             };
-            ZonePath path = Draw(random, 5, draw % 3 == 0 ? 6 : 1, out _, out _, out _, out _);
+            PathPolynomial path = Draw(random, 5, draw % 3 == 0 ? 6 : 1, out _, out _, out _, out _);
             const double Level = 0.05;
             var log = new StepLog();
             new ZoneSearch(log, in path, 0, shape, shape.MaximumConcaveCurvature, Level).Run();
@@ -150,17 +151,20 @@ public sealed class ZonePathTests
         Assert.True(crossings > 60 && turned > 2, $"{crossings} crossings, {turned} after a turn");
     }
 
-    private static ZonePath Draw(Random random, int degree, double bends, out BallState before, out BallState after, out Vector3d a, out Vector3d b)
+    private static PathPolynomial Draw(Random random, int degree, double bends, out BallState before, out BallState after, out Vector3d a, out Vector3d b)
     {
         Vector3d Vector(double size) => size * new Vector3d((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
         before = new BallState { Time = 3, Position = Vector(1), Velocity = Vector(6 * bends) };
         after = new BallState { Time = 3 + Duration, Position = Vector(1), Velocity = Vector(6 * bends) };
         a = Vector(40 * bends);
         b = Vector(40 * bends);
-        return ZonePath.Of(in before, in after, in a, in b, degree);
+        return Between(in before, in after, in a, in b, degree);
     }
 
-    private static Vector3d Second(in ZonePath path, double s) => (path.RateAt(s + 1e-5) - path.RateAt(s - 1e-5)) / 2e-5;
+    private static PathPolynomial Between(in BallState before, in BallState after, in Vector3d a, in Vector3d b, int degree) =>
+        PathPolynomial.Between(before.Position, before.Velocity, in a, after.Position, after.Velocity, in b, Duration, degree);
+
+    private static Vector3d Second(in PathPolynomial path, double s) => (path.RateAt(s + 1e-5) - path.RateAt(s - 1e-5)) / 2e-5;
 
     private static void Near(Vector3d expected, Vector3d actual, double within = 1e-11) => Assert.InRange((expected - actual).Length, 0, within * (1 + expected.Length));
 }
