@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
@@ -12,9 +13,6 @@ internal readonly struct ZoneSearch
 {
     /// <summary>A ball that enters or leaves by less than this, and returns within the piece, is not reported, m.</summary>
     private const double Dip = 1e-9;
-
-    /// <summary>Maximum number of steps per walk.</summary>
-    private const int MostSteps = 4_096;
 
     /// <summary>Maximum number of halvings of a part of the path inside the zone.</summary>
     private const int MostHalvings = 24;
@@ -58,7 +56,7 @@ internal readonly struct ZoneSearch
             return;
         }
 
-        double enters = First(0, 1, end <= 0);
+        double enters = Nearest(0, 1, end <= 0);
         if (enters <= 1)
         {
             Add(enters, true);
@@ -72,7 +70,7 @@ internal readonly struct ZoneSearch
         if (atTo > 0)
         {
             // The path ends outside the zone: search backwards for the last crossing.
-            double leaves = Last(from, to);
+            double leaves = Nearest(to, from, true);
             Inside(from, atFrom, leaves, 0, halvings);
             Add(leaves, false);
         }
@@ -100,86 +98,31 @@ internal readonly struct ZoneSearch
             return;
         }
 
-        double enters = First(middle, to, true);
+        double enters = Nearest(middle, to, true);
         Add(enters, true);
         Inside(enters, 0, to, atTo, halvings + 1);
     }
 
-    /// <summary>Returns the first crossing after a point outside; infinite if there is none.</summary>
-    private double First(double from, double to, bool endsInside)
+    /// <summary>Returns the crossing nearest to a point outside, in either direction; infinite if there is none.</summary>
+    /// <param name="from">The point.</param>
+    /// <param name="to">The end of the search.</param>
+    /// <param name="endsInside">True if the end is inside.</param>
+    private double Nearest(double from, double to, bool endsInside)
     {
-        double s = from;
-        for (int i = 0; i < MostSteps; i++)
-        {
-            double value = _border.At(s, out double rate);
-            if (value <= 0)
-            {
-                return s;
-            }
-
-            double next = s + Safe(value, rate);
-            if (!(next < to))
-            {
-                break;
-            }
-
-            if (_border.At(next, out _) <= 0)
-            {
-                return Locate(s, next, 1);
-            }
-
-            s = next;
-        }
-
-        return endsInside ? Locate(s, to, 1) : double.PositiveInfinity;
+        var gap = new BorderGap(in this, from, to < from ? -1 : 1);
+        double way = TimeOfImpact.First(ref gap, new SearchSpan(Math.Abs(to - from), double.PositiveInfinity));
+        return way < double.PositiveInfinity ? Locate(gap.Outside, gap.At(way))
+            : endsInside ? Locate(gap.Outside, to)
+            : way;
     }
 
-    /// <summary>Returns the last crossing before a point outside and after a point inside.</summary>
-    private double Last(double from, double to)
+    /// <summary>Locates the crossing between a point outside and a point inside.</summary>
+    private double Locate(double outside, double inside)
     {
-        double s = to;
-        for (int i = 0; i < MostSteps; i++)
-        {
-            double value = _border.At(s, out double rate);
-            if (value <= 0)
-            {
-                return s;
-            }
-
-            double next = s - Safe(value, -rate);
-            if (!(next > from))
-            {
-                break;
-            }
-
-            if (_border.At(next, out _) <= 0)
-            {
-                return Locate(next, s, -1);
-            }
-
-            s = next;
-        }
-
-        return Locate(from, s, -1);
-    }
-
-    /// <summary>Returns the step in s for which the ball surely stays outside.</summary>
-    private double Safe(double value, double rate)
-    {
-        if (value > _near)
-        {
-            return value / _speed;
-        }
-
-        double root = Math.Sqrt((rate * rate) + (2.0 * _bend * (value + Dip)));
-        return rate < 0 ? 2.0 * (value + Dip) / (root - rate) : _bend > 0 ? (root + rate) / _bend : double.PositiveInfinity;
-    }
-
-    /// <summary>Locates the crossing between two points.</summary>
-    private double Locate(double from, double to, double sign)
-    {
-        var crossing = new Crossing(in _border, sign);
-        return Roots.Newton(ref crossing, from, to, 0.5 * (from + to), Closeness);
+        var crossing = new Crossing(in _border, inside < outside ? -1 : 1);
+        double low = Math.Min(outside, inside);
+        double high = Math.Max(outside, inside);
+        return Roots.Newton(ref crossing, low, high, 0.5 * (low + high), Closeness);
     }
 
     private void Add(double s, bool enters) => _log.AddCrossing(new ZoneCrossing(Math.Min(s, 1), _zone, enters));
@@ -197,6 +140,31 @@ internal readonly struct ZoneSearch
             ShapePoint at = _shape.At(_path.At(s));
             rate = Vector3d.Dot(at.Normal, _path.RateAt(s));
             return at.Distance - _level;
+        }
+    }
+
+    /// <summary>The distance along the path in one direction, until it is not positive.</summary>
+    private struct BorderGap(in ZoneSearch search, double from, double sign) : IGap
+    {
+        private readonly ZoneSearch _search = search;
+        private double _way;
+
+        /// <summary>The last point outside that was evaluated.</summary>
+        public readonly double Outside => At(_way);
+
+        public readonly double At(double way) => from + (sign * way);
+
+        public bool IsClosed(double t, out double step)
+        {
+            double value = _search._border.At(At(t), out double rate);
+            step = value > _search._near ? value / _search._speed : TimeOfImpact.Safe(value + Dip, sign * rate, _search._bend);
+            if (value <= 0)
+            {
+                return true;
+            }
+
+            _way = t;
+            return false;
         }
     }
 
