@@ -218,7 +218,7 @@ internal sealed class FlightTangent
         Rates(i, out Vector3d endAcceleration, out double endRate);
         double length = _times[i] - _times[i - 1];
         double t = time - _times[i - 1];
-        velocity = Prediction.PathSegment.Cubic(in _velocities[i - 1], in startAcceleration, in _velocities[i], in endAcceleration, length).PositionAt(t);
+        velocity = PathSegment.Cubic(in _velocities[i - 1], in startAcceleration, in _velocities[i], in endAcceleration, length).PositionAt(t);
         spin = new CubicHermite(_spins[i - 1], length * startRate, _spins[i], length * endRate).At(t / length);
     }
 

@@ -70,7 +70,7 @@ internal readonly struct LanePiece
     /// <summary>Interpolates displacement and velocity by cubic Hermite polynomials, and the spin linearly.</summary>
     public void At(double time, out Vector3d path, out Vector3d velocity, out double spin)
     {
-        var curve = Prediction.PathSegment.Cubic(in _path, in _velocity, in _endPath, in _endVelocity, Length);
+        var curve = PathSegment.Cubic(in _path, in _velocity, in _endPath, in _endVelocity, Length);
         path = curve.PositionAt(time);
         velocity = curve.VelocityAt(time);
         double s = Length > 0 ? time / Length : 0;

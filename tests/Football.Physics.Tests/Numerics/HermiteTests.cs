@@ -1,5 +1,4 @@
 using FootballPhysics.Numerics;
-using FootballPhysics.Prediction;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Numerics;

@@ -1,6 +1,5 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
-using FootballPhysics.Prediction;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Aiming;
