@@ -9,13 +9,14 @@ namespace FootballPhysics.Contacts;
 /// </remarks>
 internal static unsafe class ContactForces
 {
-    /// <summary>Adds the forces of the contacts to the accelerations, and stores the load and the friction of each contact.</summary>
+    /// <summary>Adds the forces of the contacts to the rates, and stores the load and the friction of each contact.</summary>
     /// <param name="system">The contacts, with their normals and slips at this state.</param>
     /// <param name="spin">Spin of the ball, rad/s.</param>
-    /// <param name="acceleration">Acceleration without the contacts, m/s²; replaced by the acceleration with them.</param>
-    /// <param name="spinAcceleration">The same for the spin, rad/s².</param>
-    public static void Solve(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
+    /// <param name="free">The rates without the contacts.</param>
+    public static MotionRates Solve(ref ContactSystem system, in Vector3d spin, in MotionRates free)
     {
+        Vector3d acceleration = free.Acceleration;
+        Vector3d spinAcceleration = free.SpinAcceleration;
         if (system.Bearer >= 0)
         {
             // The damped spin about the normal: ω̇_n = −(c_ω/I) (ω − Ω)·n.
@@ -29,6 +30,8 @@ internal static unsafe class ContactForces
             ref SetContact contact = ref system.Contacts[i];
             contact.Opening = Vector3d.Dot(in contact.Normal, in acceleration) + contact.Centripetal;
         }
+
+        return new MotionRates(in acceleration, in spinAcceleration, free.AirSpeed);
     }
 
     /// <summary>Sets G, the response of each condition to a unit of each force, and b, the remainder of each condition without these

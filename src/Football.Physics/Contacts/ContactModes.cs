@@ -80,7 +80,7 @@ internal static unsafe class ContactModes
             return;
         }
 
-        system.Free(time, in at, out Vector3d push, out _, out _);
+        Vector3d push = system.Free(time, in at).Acceleration;
         evaluations++;
         PushProjection free = PushProjection.Of(normals, system.Count, in push);
         for (int i = 0; i < system.Count; i++)
@@ -114,15 +114,14 @@ internal static unsafe class ContactModes
                 break;
             }
 
-            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
-            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
+            MotionRates rates = ContactForces.Solve(ref system, in at.Spin, system.Free(time, in at));
             evaluations++;
             for (int i = 0; i < system.Count; i++)
             {
                 ref SetContact contact = ref system.Contacts[i];
                 if (contact.StartsToSlip)
                 {
-                    Vector3d rate = contact.SlipRate(in acceleration, in spinAcceleration, in at.Spin, system.World.Ball.Radius);
+                    Vector3d rate = contact.SlipRate(in rates, in at.Spin, system.World.Ball.Radius);
                     again |= contact.TurnSlip(in rate);
                 }
             }
@@ -150,12 +149,10 @@ internal static unsafe class ContactModes
         system.IsTied = false;
         for (int round = 0; round < MostBearers; round++)
         {
-            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out system.AirSpeed);
+            MotionRates free = system.Free(time, in at);
             evaluations++;
-            push = acceleration;
-            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
-            system.Acceleration = acceleration;
-            system.SpinAcceleration = spinAcceleration;
+            push = free.Acceleration;
+            system.Start = ContactForces.Solve(ref system, in at.Spin, in free);
             int bearer = BearerOf(in system);
             if (bearer == system.Bearer || system.IsTied)
             {

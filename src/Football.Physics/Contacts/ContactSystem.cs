@@ -40,12 +40,8 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>The holding force per mass, m/s².</summary>
     public double Held;
 
-    /// <summary>The accelerations with which the modes were determined, m/s² and rad/s².</summary>
-    public Vector3d Acceleration;
-    public Vector3d SpinAcceleration;
-
-    /// <summary>The airspeed at that moment, m/s.</summary>
-    public double AirSpeed;
+    /// <summary>The rates with which the modes were determined.</summary>
+    public MotionRates Start;
 
     /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>
     public double SpinSign;
@@ -74,9 +70,7 @@ internal unsafe struct ContactSystem : IMotionSystem
             Contacts[i].Look(World, time, in at);
         }
 
-        Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed);
-        ContactForces.Solve(ref this, in at.Spin, ref acceleration, ref spinAcceleration);
-        rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
+        rates = ContactForces.Solve(ref this, in at.Spin, Free(time, in at));
     }
 
     public readonly double LongestPart(in Motion at, in MotionRates rates) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
@@ -91,44 +85,20 @@ internal unsafe struct ContactSystem : IMotionSystem
     }
 
     /// <summary>Computes the forces on the ball without contacts.</summary>
-    public readonly void Free(double time, in Motion at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed)
+    public readonly MotionRates Free(double time, in Motion at)
     {
-        Vector3d u = at.Velocity - Around.Wind;
         bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
-        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
-        Around.Air.Evaluate(in ball, Branch, out AirFactors air, Trace);
-        u = air.AirVelocity;
-        airSpeed = air.AirSpeed;
-
-        // a_air = L (ω × u) − D u; the ground's settings determine which share of it acts.
-        Vector3d push = air.Acceleration;
-        if (World.AirActs)
+        MotionRates free = new FreeForces(Around, Branch, sticks ? MotionState.Rolling : MotionState.Sliding, time, in at, Trace)
+            .Supported(Bearer < 0 ? Vector3d.Zero : Contacts[Bearer].Normal, sticks);
+        if (Nets == 0)
         {
-            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+            return free;
         }
 
-        spinAcceleration = (-air.Decay * at.Spin) + air.SpinAcceleration;
-        if (!World.AirLoads && Bearer >= 0)
-        {
-            push = SurfaceSystem.Tangential(in push, in Contacts[Bearer].Normal);
-        }
-
-        if (!World.SharesAir && sticks)
-        {
-            // If the spin does not share the air's force, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
-            ref readonly SetContact bearer = ref Contacts[Bearer];
-            Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
-            spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);
-        }
-
-        acceleration = push + Around.Weight;
-        if (Nets != 0)
-        {
-            MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-            int carrier = HeaviestOnNets();
-            acceleration += carrier < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[carrier].Normal);
-            spinAcceleration += nets.SpinAcceleration;
-        }
+        MotionRates nets = World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
+        int carrier = HeaviestOnNets();
+        Vector3d push = carrier < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[carrier].Normal);
+        return new MotionRates(free.Acceleration + push, free.SpinAcceleration + nets.SpinAcceleration, free.AirSpeed);
     }
 
     /// <summary>Returns the contact whose load the nets do not change; −1 if the net's force counts in full.</summary>
@@ -155,13 +125,10 @@ internal unsafe struct ContactSystem : IMotionSystem
     {
         if (World.SharesAir)
         {
-            Free(time, in still, out Vector3d acceleration, out _, out _);
-            return acceleration;
+            return Free(time, in still).Acceleration;
         }
 
-        Vector3d u = still.Velocity - Around.Wind;
-        Around.Air.Evaluate(new ForceContext(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
         Vector3d nets = Nets == 0 ? Vector3d.Zero : World.NetForces.Push(Nets, NetSides, NetsSlack, in still).Acceleration;
-        return air.Acceleration + Around.Weight + nets;
+        return new FreeForces(Around, Branch, MotionState.Rolling, time, in still).AtRest + nets;
     }
 }

@@ -59,22 +59,14 @@ internal unsafe struct FlightSystem : IMotionSystem
     /// <summary>Returns the rates on one branch of the drag law.</summary>
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
-        Surroundings around = Around;
-        MotionRates nets = Nets == 0 ? default : around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-        Vector3d u = at.Velocity - around.Wind;
-        AirFactors air;
-        if (around.Air.Varies)
+        MotionRates rates = new FreeForces(Around, branch, MotionState.Airborne, time, in at, Trace).InFlight;
+        if (Nets == 0)
         {
-            var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
-            around.Air.Evaluate(in ball, branch, out air, Trace);
-        }
-        else
-        {
-            around.Air.OfLaws(in u, in at.Spin, branch, out air);
+            return rates;
         }
 
-        MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);
-        return Nets == 0 ? rates : new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
+        MotionRates nets = Around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
+        return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }
 
     /// <summary>Returns the share of the spinning branch that keeps the ball on the surface <see cref="Branch"/>.</summary>

@@ -47,7 +47,7 @@ internal static unsafe class RestingSet
         ContactSystem at = system;
         at.Contacts = contacts;
         return ContactModes.Find(ref at, time, in still, ContactTolerances.LeastLoad, carrier, ref evaluations)
-            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= ContactTolerances.LeastLoad;
+            && at.Start.Acceleration.Length + (system.World.Ball.Radius * at.Start.SpinAcceleration.Length) <= ContactTolerances.LeastLoad;
     }
 
     /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>

@@ -112,8 +112,8 @@ internal struct SetContact
     }
 
     /// <summary>ṡ = (v̇ − A + r ṅ × ω + r n × ω̇)_t, m/s².</summary>
-    public readonly Vector3d SlipRate(in Vector3d acceleration, in Vector3d spinAcceleration, in Vector3d spin, double radius) => SurfaceSystem.Tangential(
-        acceleration - SurfaceRate + (radius * (Vector3d.Cross(in Turning, in spin) + Vector3d.Cross(in Normal, in spinAcceleration))), in Normal);
+    public readonly Vector3d SlipRate(in MotionRates rates, in Vector3d spin, double radius) => SurfaceSystem.Tangential(
+        rates.Acceleration - SurfaceRate + (radius * (Vector3d.Cross(in Turning, in spin) + Vector3d.Cross(in Normal, in rates.SpinAcceleration))), in Normal);
 
     /// <summary>Prepares a contact that a ball touches.</summary>
     public void Prepare(in Contact contact, Collider collider, BallProperties ball)

@@ -194,21 +194,16 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 
-        // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
-        Vector3d u = at.Velocity - Around.Wind;
-        double rate = Around.Air.Varies
-            ? Around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding), Branch, out AirFactors air, Trace)
-            : Around.Air.OfLaws(in u, in at.Spin, Branch, out air);
-        u = air.AirVelocity;
-        Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
-        Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
+        // In the measured profile, the normal component of the air and the custom forces adds to the load.
+        var free = new FreeForces(Around, Branch, Rolls ? MotionState.Rolling : MotionState.Sliding, time, in at, Trace);
+        Vector3d push = free.Push;
         load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
-        on.Own = air.Acceleration;
-        on.OwnTorque = air.SpinAcceleration;
-        on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
-        on.Spins = rate > 0;
-        on.Braking = on.Spins ? air.Decay * rate : air.Decay;
+        on.Own = free.Air.Acceleration;
+        on.OwnTorque = free.Air.SpinAcceleration;
+        on.Torque = free.Torque;
+        on.Spins = free.SpinRate > 0;
+        on.Braking = on.Spins ? free.Air.Decay * free.SpinRate : free.Air.Decay;
 
         // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts; on the end of a net,
         // all of it does, because the net pulls the ball off its end.
@@ -224,12 +219,12 @@ internal unsafe struct SurfaceSystem : IMotionSystem
 
         // Forces that act in flight but not on a surface also hold the ball on the surface, without friction. Otherwise, the ball would leave and
         // return at once.
-        on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
+        on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + free.Air.Acceleration + free.Flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
         if (Around.Air.HasSide && on.FreeLoad <= ContactTolerances.LeastLoad)
         {
             // A knuckle force acts only in flight. If it would press the ball back at once, the ball stays on the surface.
-            on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
+            on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in free.Air.AirVelocity, in at.Spin, at.AirDistance), in n));
         }
 
         return on;

@@ -36,7 +36,7 @@ internal sealed partial class ContactSetParts
 
             // Velocity and spin from the forces alone: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates free = Free(in s, s.Time, in from, h);
+            MotionRates free = _forces.Free(in s, s.Time, in from, isCarried: true, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;

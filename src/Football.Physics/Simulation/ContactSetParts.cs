@@ -27,7 +27,7 @@ internal sealed partial class ContactSetParts
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
-    private readonly NetGuard _nets;
+    private readonly PartForces _forces;
     private readonly ShownPath _shown;
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
@@ -40,7 +40,7 @@ internal sealed partial class ContactSetParts
         _guard = guard;
         _displacement = displacement;
         _contact = contact;
-        _nets = new NetGuard(_world);
+        _forces = new PartForces(around);
         _shown = new ShownPath(_world);
     }
 
@@ -127,7 +127,7 @@ internal sealed partial class ContactSetParts
     private void Predict(in BallState s, scoped Span<Contact> set, ref SetPart part)
     {
         double h = part.Length;
-        part.Start = Free(in s, s.Time, in part.From, h);
+        part.Start = _forces.Free(in s, s.Time, in part.From, isCarried: true, h);
         part.Velocity = part.From.Velocity + (h * part.Start.Acceleration);
         part.Spin = part.From.Spin + (h * part.Start.SpinAcceleration);
         part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin, ContactTolerances.Foreseen);
@@ -139,10 +139,18 @@ internal sealed partial class ContactSetParts
         double h = part.Length;
         ref readonly Motion from = ref part.From;
         var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + part.Velocity)), in part.Velocity, in part.Spin, s.AirDistance);
-        MotionRates there = Free(in s, s.Time + h, in end, h);
+        MotionRates there = _forces.Free(in s, s.Time + h, in end, isCarried: true, h);
         if (_around.Air.HasOwnForces && !((there.Acceleration - part.Start.Acceleration).Length <= part.Start.Acceleration.Length))
         {
-            LimitOwn(in s, h, ref run, ref part.Start, ref there);
+            // Reduce custom forces that are too stiff for a part, and take them as constant.
+            MotionRates limited = _forces.FreeLimited(in s, s.Time, in from, isCarried: true, h, out double change);
+            run.Log.Evaluations += 2;
+            if (change > 1)
+            {
+                part.Start = limited;
+                there = limited;
+                run.CountStiff();
+            }
         }
 
         part.Velocity = from.Velocity + ((0.5 * h) * (part.Start.Acceleration + there.Acceleration));
@@ -150,30 +158,6 @@ internal sealed partial class ContactSetParts
         var unheld = new Motion(from.Position, in part.Velocity, in part.Spin);
         part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
         SolvedSet.Correct(set, _world.Ball, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
-    }
-
-    /// <summary>Reduces custom forces that are too stiff for a part, and takes them as constant.</summary>
-    private void LimitOwn(in BallState s, double h, ref StepRun run, ref MotionRates start, ref MotionRates there)
-    {
-        Vector3d u = s.Velocity - _around.Wind;
-        var ball = new ForceContext(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance);
-        DragBranch branch = _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance));
-        _around.Air.Evaluate(in ball, branch, out AirFactors air);
-        AirFactors limited = air;
-        run.Log.Evaluations += 2;
-        if (PartForces.LimitOwn(_around, in ball, branch, h, ref limited) > 1)
-        {
-            Vector3d change = limited.Acceleration - air.Acceleration;
-            if (!_world.SharesAir)
-            {
-                Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
-                change -= Vector3d.Dot(in change, in n) * n;
-            }
-
-            start = new MotionRates(start.Acceleration + change, start.SpinAcceleration + limited.SpinAcceleration - air.SpinAcceleration, start.AirSpeed);
-            there = start;
-            run.CountStiff();
-        }
     }
 
     /// <summary>Moves the ball to the end of a part or to the first contact, then projects it onto its contacts.</summary>
@@ -231,27 +215,6 @@ internal sealed partial class ContactSetParts
     /// <remarks>If only a few parts are left, each is longer.</remarks>
     private static double LengthOfPart(in StepRun run, double requested) =>
         run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / requested)));
-
-    /// <summary>Computes the forces on the ball without contact forces, for one part of a step.</summary>
-    private MotionRates Free(in BallState s, double time, in Motion at, double h)
-    {
-        // Lock the drag law to its branch at the start of the part, because its jump is not located here.
-        DragBranch branch = _around.BranchAt(in at);
-        MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
-        Vector3d acceleration = rates.Acceleration;
-        Vector3d spinAcceleration = rates.SpinAcceleration;
-        if (!_world.SharesAir)
-        {
-            // Include only the share of the air that acts on a single surface: none, or the part along the carrier.
-            Collider carrier = _world.CarrierOf(in s);
-            var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
-            SurfaceForces on = surface.ForcesOn(time, in at);
-            acceleration = on.Body + on.Air - ((on.FreeLoad + on.Centripetal) * on.Normal);
-            spinAcceleration = on.Torque;
-        }
-
-        return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed), h);
-    }
 
     /// <summary>Returns the acceleration without its component along ω × u (the Magnus force).</summary>
     /// <remarks>The Magnus force turns with the velocity and does no work, however fast the velocity turns.</remarks>

@@ -194,14 +194,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Unmoved))
         {
             system.BeginTrace();
-            system.Rates(s.Time, in stuck, out MotionRates rates);
+            system.Rates(s.Time, in stuck, out system.Start);
             run.Log.Evaluations++;
-            system.Acceleration = rates.Acceleration;
-            system.SpinAcceleration = rates.SpinAcceleration;
         }
 
         piece.From = stuck;
-        system.NetsSlack = _nets.SlackAt(in s, system.Acceleration);
+        system.NetsSlack = _nets.SlackAt(in s, in system.Start.Acceleration);
         piece.Length = LongestPiece(in s, in stuck, in system, ref run);
         return SetMotion.Several;
     }
@@ -212,8 +210,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         where TMethod : struct, IMotionMethod
     {
         ref readonly ContactSystem system = ref piece.System;
-        var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
-        sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in start, system.Around.Wind, system.Around.Radius);
+        sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in system.Start, system.Around.Wind, system.Around.Radius);
         SetMargin<TMethod>.Start(ref sweep, in s, in piece.From, starts);
         if (_own is not null)
         {
@@ -348,7 +345,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             double size = contact.Slip.Length;
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
-                Vector3d rate = contact.SlipRate(in system.Acceleration, in system.SpinAcceleration, from.Spin, _around.Radius);
+                Vector3d rate = contact.SlipRate(in system.Start, from.Spin, _around.Radius);
                 h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.Turning.Length);
             }
         }

@@ -46,7 +46,7 @@ internal static unsafe class SetGuard
     /// <summary>Returns the acceleration by other forces than the weight, with the spin as the speed √α r |ω̇|, in m/s².</summary>
     private static double Other(Surroundings around, in ContactSystem system, double time, in Motion at)
     {
-        system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
-        return (acceleration - around.Weight).Length + (Math.Sqrt(around.World.Ball.InertiaFactor) * around.Radius * spinAcceleration.Length);
+        MotionRates free = system.Free(time, in at);
+        return (free.Acceleration - around.Weight).Length + (Math.Sqrt(around.World.Ball.InertiaFactor) * around.Radius * free.SpinAcceleration.Length);
     }
 }

@@ -92,12 +92,12 @@ public sealed class BallGroupTests
         var scene = new Scene { Forces = ForceSet.Measured with { CustomForces = [new Steady(force, torque)] } };
         Scene bare = scene with { Forces = ForceSet.Measured };
         BallState ball = new Simulator(bare).Launch(new Vector3d(0, 3, 0), new Vector3d(3, 1, 2), new Vector3d(9, -4, 6));
-        MotionRates with = new Simulator(scene).Pile.Free(in ball, 1e-3, false);
-        MotionRates without = new Simulator(bare).Pile.Free(in ball, 1e-3, false);
+        MotionRates with = new Simulator(scene).Pile.Free(in ball, 1e-3, looksAhead: false, out _);
+        MotionRates without = new Simulator(bare).Pile.Free(in ball, 1e-3, looksAhead: false, out _);
         Assert.InRange((with.Acceleration - without.Acceleration - (force / scene.Ball.Mass)).Length, 0, 1e-12);
         Assert.InRange((with.SpinAcceleration - without.SpinAcceleration - (torque / scene.Ball.MomentOfInertia)).Length, 0, 1e-10);
         Assert.True(Vector3d.Dot(without.SpinAcceleration, ball.Spin) < 0);
-        Assert.Equal(-9.81, new Simulator(bare).Pile.Free(in ball, 1e-3, true).Acceleration.Y, 0.2);
+        Assert.Equal(-9.81, new Simulator(bare).Pile.FreeAtRest(in ball, 1e-3).Acceleration.Y, 0.2);
     }
 
     [Fact]

@@ -98,7 +98,9 @@ public sealed unsafe class ContactModesTests
         Vector3d turned = default;
         if (around.AirActs)
         {
-            system.Free(0, in at, out pushed, out turned, out _);
+            FootballPhysics.MotionRates free = system.Free(0, in at);
+            pushed = free.Acceleration;
+            turned = free.SpinAcceleration;
         }
 
         for (int i = 0; i < system.Count; i++)
@@ -108,7 +110,7 @@ public sealed unsafe class ContactModesTests
             turned -= Vector3d.Cross(contacts[i].Normal, friction) / (world.Ball.InertiaFactor * Radius);
         }
 
-        Resistance(in system, in at, system.Acceleration - pushed, system.SpinAcceleration - turned, moving == Moving.Stands, when);
+        Resistance(in system, in at, system.Start.Acceleration - pushed, system.Start.SpinAcceleration - turned, moving == Moving.Stands, when);
         Brace(in system, when);
         Assert.True(moving != Moving.Slides || system.Bearer < 0 || !contacts[system.Bearer].Sticks, when);
         return true;
@@ -135,7 +137,7 @@ public sealed unsafe class ContactModesTests
 
         double most = collider.Surfaces[0].SlidingFriction * contact.Load;
         Assert.True(contact.Load > 0, when);
-        double close = Close * (1 + (0.01 * system.Acceleration.Length));
+        double close = Close * (1 + (0.01 * system.Start.Acceleration.Length));
         Assert.True(Math.Abs(gap) <= close, $"{when}, opens at {gap}");
         Assert.Equal(gap, contact.Opening, close);
         if (contact.Sticks)
@@ -195,7 +197,7 @@ public sealed unsafe class ContactModesTests
         {
             // What holds the ball is less than what resists a roll, and leaves no acceleration along the line.
             Assert.True(speed <= ContactTolerances.Rolling && Math.Abs(Vector3d.Dot(left, system.Along)) <= most * (1 + 1e-9), when);
-            Assert.Equal(0, Vector3d.Dot(system.Acceleration, system.Along), Close);
+            Assert.Equal(0, Vector3d.Dot(system.Start.Acceleration, system.Along), Close);
             Assert.Equal(0, Vector3d.Cross(left, system.Along).Length, 1e-9);
             most = -Vector3d.Dot(left, system.Along);
             Assert.Equal(-most, system.Held, 1e-8);
@@ -204,7 +206,7 @@ public sealed unsafe class ContactModesTests
         else if (stands && most > 0)
         {
             // From a standstill, it resists the roll that starts.
-            Assert.True(Vector3d.Dot(system.Acceleration, system.Along) >= -Close, when);
+            Assert.True(Vector3d.Dot(system.Start.Acceleration, system.Along) >= -Close, when);
         }
 
         Assert.True((left + (most * direction)).Length <= 1e-8, $"{when}, expected {most}");
@@ -224,7 +226,7 @@ public sealed unsafe class ContactModesTests
         double held = Vector3d.Dot(about, normal) - damped;
         Vector3d later = collider.At(at.Position + (Moment * at.Velocity), Moment).Normal;
         Vector3d earlier = collider.At(at.Position - (Moment * at.Velocity), -Moment).Normal;
-        double starts = (Vector3d.Dot(at.Spin + (Moment * system.SpinAcceleration), later) - Vector3d.Dot(at.Spin - (Moment * system.SpinAcceleration), earlier)) / (2 * Moment);
+        double starts = (Vector3d.Dot(at.Spin + (Moment * system.Start.SpinAcceleration), later) - Vector3d.Dot(at.Spin - (Moment * system.Start.SpinAcceleration), earlier)) / (2 * Moment);
         Assert.True(Math.Abs(held) <= drills * (1 + 1e-9) + 1e-9, $"{when}, holds {held} of {drills}");
         Assert.Equal(system.HoldsSpin ? held : system.HeldSpin, system.HeldSpin, 1e-6);
         Assert.True(system.HoldsSpin == (drills > 0 && Math.Abs(held) < drills * (1 - 1e-9)) || Math.Abs(Math.Abs(held) - drills) < 1e-6, when);
@@ -274,14 +276,14 @@ public sealed unsafe class ContactModesTests
     }
 
     private static double Gap(in ContactSystem system, Collider collider, in FootballPhysics.Motion at, double after) =>
-        collider.At(at.Position + (after * at.Velocity) + (0.5 * after * after * system.Acceleration), after).Distance - Radius;
+        collider.At(at.Position + (after * at.Velocity) + (0.5 * after * after * system.Start.Acceleration), after).Distance - Radius;
 
     private static Vector3d Slip(in ContactSystem system, Collider collider, in FootballPhysics.Motion at, double after)
     {
-        Vector3d position = at.Position + (after * at.Velocity) + (0.5 * after * after * system.Acceleration);
+        Vector3d position = at.Position + (after * at.Velocity) + (0.5 * after * after * system.Start.Acceleration);
         Vector3d n = collider.At(position, after).Normal;
-        Vector3d relative = at.Velocity + (after * system.Acceleration) - collider.SurfaceVelocity(position - (Radius * n), n, after);
-        return relative - (Vector3d.Dot(relative, n) * n) + (Radius * Vector3d.Cross(n, at.Spin + (after * system.SpinAcceleration)));
+        Vector3d relative = at.Velocity + (after * system.Start.Acceleration) - collider.SurfaceVelocity(position - (Radius * n), n, after);
+        return relative - (Vector3d.Dot(relative, n) * n) + (Radius * Vector3d.Cross(n, at.Spin + (after * system.Start.SpinAcceleration)));
     }
 
     /// <summary>Planes and spheres about the ball, most of them below it; in motion if the ball is.</summary>

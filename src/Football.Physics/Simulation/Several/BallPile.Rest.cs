@@ -43,7 +43,7 @@ internal sealed partial class BallPile
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
-            member.Free = _simulators[member.Ball].Pile.Free(in states[member.Ball], RestPart, atRest: true);
+            member.Free = _simulators[member.Ball].Pile.FreeAtRest(in states[member.Ball], RestPart);
             member.V = RestPart * member.Free.Acceleration;
             member.W = RestPart * member.Free.SpinAcceleration;
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));

@@ -189,7 +189,7 @@ internal sealed partial class BallPile
                 // The forces of the air hardly change within the longest part. Custom forces may, unless an earlier part of the step has shown that they do not.
                 bool looksAhead = pile.HasOwnForces && !member.HasSoftForces;
                 Vector3d before = member.Free.Acceleration;
-                member.Free = pile.Free(in s, h, atRest: false, looksAhead, out double change);
+                member.Free = pile.Free(in s, h, looksAhead, out double change);
                 member.FreeUntil = looksAhead ? Time : Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
                 member.HasSoftForces = looksAhead ? change <= SoftForce : (member.Free.Acceleration - before).Length <= 0.5 * before.Length;
                 logs[member.Ball].Evaluations += looksAhead ? 2 : 1;

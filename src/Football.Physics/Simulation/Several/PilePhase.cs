@@ -18,7 +18,7 @@ internal sealed class PilePhase
     private readonly World _world;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
-    private readonly NetGuard _nets;
+    private readonly PartForces _forces;
 
     public PilePhase(Surroundings around, WorldGuard guard, WorldContact contact)
     {
@@ -26,7 +26,7 @@ internal sealed class PilePhase
         _world = around.World;
         _guard = guard;
         _contact = contact;
-        _nets = new NetGuard(_world);
+        _forces = new PartForces(around);
     }
 
     /// <summary>True if custom forces act.</summary>
@@ -35,51 +35,24 @@ internal sealed class PilePhase
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">Length of the part, s.</param>
-    /// <param name="atRest">Whether to compute them for a ball at rest.</param>
-    public MotionRates Free(in BallState s, double h, bool atRest) => Free(in s, h, atRest, looksAhead: false, out _);
-
-    /// <summary>Computes the forces on the ball without contacts, and how much the custom forces change by their own effect.</summary>
-    /// <param name="s">The ball.</param>
-    /// <param name="h">Length of the part, s.</param>
-    /// <param name="atRest">Whether to compute them for a ball at rest.</param>
     /// <param name="looksAhead">Whether to evaluate the change of the custom forces, and to reduce those that are too stiff for the part.</param>
     /// <param name="ownChange">The change of the custom forces as a share of them; above 1 they were reduced.</param>
-    public MotionRates Free(in BallState s, double h, bool atRest, bool looksAhead, out double ownChange)
+    public MotionRates Free(in BallState s, double h, bool looksAhead, out double ownChange)
     {
-        Vector3d v = atRest ? Vector3d.Zero : s.Velocity;
-        Vector3d w = atRest ? Vector3d.Zero : s.Spin;
-        Vector3d u = v - _around.Wind;
-
-        // Lock the drag law to its branch at the start of the part, because its jump is not located here.
-        var at = new Motion(s.Position, in v, in w, s.AirDistance);
-        DragBranch branch = _around.BranchAt(in at);
-        bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
-        MotionState motion = carried ? MotionState.Sliding : MotionState.Airborne;
-        bool followsOwn = HasOwnForces && !atRest;
-
         // In the middle of its path, a custom force that depends on the position gives the ball no energy.
-        Vector3d place = followsOwn ? s.Position + (0.5 * h * v) : s.Position;
-        double time = followsOwn ? s.Time + (0.5 * h) : s.Time;
-        var ball = new ForceContext(time, in place, in v, in u, in w, motion, s.AirDistance);
-        _around.Air.Evaluate(in ball, branch, out AirFactors air);
-        ownChange = looksAhead ? PartForces.LimitOwn(_around, in ball, branch, h, ref air) : 0;
-
-        u = air.AirVelocity;
-
-        // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on a single surface.
-        Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
-        Vector3d acceleration = air.Acceleration + flow;
-        if (carried && !_world.SharesAir)
-        {
-            Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
-            acceleration = _world.AirActs && !atRest ? acceleration : air.Acceleration;
-            acceleration -= Vector3d.Dot(in acceleration, in n) * n;
-        }
-
-        Vector3d spinAcceleration = (-air.Decay * w) + air.SpinAcceleration;
-        acceleration += _around.Weight;
-        return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed), h);
+        double after = HasOwnForces ? 0.5 * h : 0;
+        var at = new Motion(s.Position + (after * s.Velocity), s.Velocity, s.Spin, s.AirDistance);
+        ownChange = 0;
+        return looksAhead ? _forces.FreeLimited(in s, s.Time + after, in at, IsCarried(in s), h, out ownChange)
+            : _forces.Free(in s, s.Time + after, in at, IsCarried(in s), h);
     }
+
+    /// <summary>Computes the forces on a ball at rest, without contacts.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="h">Length of the part, s.</param>
+    public MotionRates FreeAtRest(in BallState s, double h) => _forces.AtRest(in s, IsCarried(in s), h);
+
+    private bool IsCarried(in BallState s) => s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
 
     /// <summary>Moves the ball in a straight line, through the nets and goals on its path.</summary>
     /// <param name="s">The ball.</param>
