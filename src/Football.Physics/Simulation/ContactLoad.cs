@@ -5,10 +5,8 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>Computes a ball's load on a surface: whether the ball stays after an impact, whether friction holds it, and whether the surface
 /// supports it.</summary>
-internal sealed unsafe class ContactLoad
+internal sealed class ContactLoad
 {
-    /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
-    private const double InBalance = 0.01;
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly RateBound _ofAir;
@@ -95,35 +93,6 @@ internal sealed unsafe class ContactLoad
             : Vector3d.Zero;
         Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
         return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
-    }
-
-    /// <summary>True if all forces on a ball in a net balance. The ends of nets take the force that presses the ball onto them.</summary>
-    public bool HangsStill(in BallState s)
-    {
-        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
-        DragBranch branch = _around.BranchAt(in at);
-        Vector3d left = system.On(branch, s.Time, in at).Acceleration;
-        return left.LengthSquared <= InBalance * InBalance || IsHeldByEnds(in s, in left);
-    }
-
-    /// <summary>True if the ends of nets that a ball touches hold it against an acceleration.</summary>
-    private bool IsHeldByEnds(in BallState s, in Vector3d push)
-    {
-        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
-        int count = 0;
-        for (int i = 0; i < _world.Nets.Length && count < ContactSystem.Most; i++)
-        {
-            NetSheet net = _world.Nets[i];
-            double side = NetSheet.SideOf(s.NetSides, i);
-            if ((s.Nets >> i & 1) != 0 && net.Depth(s.Position, side) >= net.Give - ContactTolerances.Touching)
-            {
-                normals[count++] = side * net.Normal;
-            }
-        }
-
-        PushProjection held = PushProjection.Of(normals, count, in push);
-        return count > 0 && (held.TakesAll || held.Left.LengthSquared <= InBalance * InBalance);
     }
 
     /// <summary>True if a collider would support a ball that touches it.</summary>

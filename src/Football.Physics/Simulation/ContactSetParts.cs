@@ -23,7 +23,7 @@ internal sealed partial class ContactSetParts
 
     private readonly Surroundings _around;
     private readonly World _world;
-    private readonly DragJumpGuard _jump;
+    private readonly Rest _rest;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
@@ -32,11 +32,11 @@ internal sealed partial class ContactSetParts
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
 
-    public ContactSetParts(Surroundings around, DragJumpGuard jump, WorldGuard guard, Displacement displacement, WorldContact contact)
+    public ContactSetParts(Surroundings around, WorldGuard guard, Displacement displacement, WorldContact contact)
     {
         _around = around;
         _world = around.World;
-        _jump = jump;
+        _rest = new Rest(around);
         _guard = guard;
         _displacement = displacement;
         _contact = contact;
@@ -259,15 +259,14 @@ internal sealed partial class ContactSetParts
     {
         BallState still = s;
         still.Carrier = bearer < 0 ? s.Carrier : set[bearer].Collider + _world.FirstCollider;
-        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in still), s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest)))
+        if (!_rest.IsSlow(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in still), s.Time))
         {
             return false;
         }
 
         int evaluations = 0;
-        var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
         bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
-            : RestingSet.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
+            : _rest.IsHeldBy(set, in still, Vector3d.Zero, mayGrip: true, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
         {

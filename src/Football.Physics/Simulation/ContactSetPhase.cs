@@ -42,6 +42,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private readonly DragJumpGuard _jump;
     private readonly StabilityLimit _limit;
     private readonly NetGuard _nets;
+    private readonly Rest _rest;
     private readonly ContactSetParts _parts;
     private readonly OwnForceGuard? _own;
 
@@ -54,6 +55,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         _guard = guard;
         _contact = contact;
         _nets = new NetGuard(_world);
+        _rest = new Rest(around);
         _parts = parts;
         _own = own;
     }
@@ -183,7 +185,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return SetMotion.Changed;
         }
 
-        if (Rests(ref s, in system, in piece.From, ref run))
+        if (Rests(ref s, set, in system, in piece.From, ref run))
         {
             _contact.Rest(ref s, ref run);
             return SetMotion.Changed;
@@ -284,11 +286,10 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>True if a ball below the rest energy is held by contacts that are stationary or move together.</summary>
-    private bool Rests(ref BallState s, in ContactSystem system, in Motion from, ref StepRun run)
+    private bool Rests(ref BallState s, Span<Contact> set, in ContactSystem system, in Motion from, ref StepRun run)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
-        Collider carrier = _world.ByIndex[bearer.Collider];
-        if (!(_world.Energy(in from, carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest)))
+        if (!_rest.IsSlow(in from, _world.ByIndex[bearer.Collider], s.Time))
         {
             return false;
         }
@@ -297,19 +298,15 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         for (int i = 0; i < system.Count; i++)
         {
             sticks &= !system.Contacts[i].Bears || system.Contacts[i].Sticks;
-            Collider collider = _world.ByIndex[system.Contacts[i].Collider];
-            if (collider.Velocity != carrier.Velocity || collider.Spin != Vector3d.Zero)
-            {
-                return false;
-            }
         }
 
-        var still = new Motion(s.Position, carrier.Velocity, Vector3d.Zero);
-        int evaluations = 1;
-        bool holds = RestingSet.Hold(in system, system.PushAtRest(s.Time, in still))
-            || (sticks && run.Grips++ < MostGrips && RestingSet.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
+        BallState still = s;
+        still.Carrier = bearer.Collider + _world.FirstCollider;
+        int evaluations = 0;
+        bool holds = _rest.IsHeldBy(set, in still, Vector3d.Zero, sticks && run.Grips < MostGrips, ref evaluations);
+        run.Grips += evaluations > 1 ? 1 : 0;
         run.Log.Evaluations += evaluations;
-        s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
+        s.Carrier = holds ? still.Carrier : s.Carrier;
         return holds;
     }
 

@@ -9,7 +9,7 @@ namespace FootballPhysics.Simulation;
 /// Steps a ball at rest: checks that its contacts still hold it (world.md, Rest is a condition), and moves it along with its carrier up to
 /// the first hit.
 /// </summary>
-internal sealed unsafe class RestPhase
+internal sealed class RestPhase
 {
     /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The ends of the piece then determine the path.</summary>
     private const double LargestTurn = 0.25;
@@ -18,17 +18,17 @@ internal sealed unsafe class RestPhase
     private readonly World _world;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
-    private readonly DragJumpGuard _jump;
+    private readonly Rest _rest;
     private readonly bool _airMayWake;
     private bool? _isHeldByGround;
 
-    public RestPhase(Surroundings around, WorldGuard guard, WorldContact contact, DragJumpGuard jump)
+    public RestPhase(Surroundings around, WorldGuard guard, WorldContact contact)
     {
         _around = around;
         _world = around.World;
         _guard = guard;
         _contact = contact;
-        _jump = jump;
+        _rest = new Rest(around);
 
         // In the published profile, air never wakes a ball.
         _airMayWake = around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
@@ -63,13 +63,15 @@ internal sealed unsafe class RestPhase
         if (run.Left == run.Length && MayWake && !s.RestsInPile)
         {
             int evaluations = 0;
-            bool holds = IsHeld(ref s, run.PerStep, ref evaluations);
+            bool holds = _rest.IsHeld(in s, run.PerStep, ref evaluations);
             run.Log.Evaluations += evaluations;
             if (!holds)
             {
                 Wake(ref s, ref run);
                 return;
             }
+
+            FollowCarrier(ref s);
         }
 
         // Move the ball along with its carrier until the first impact.
@@ -105,98 +107,21 @@ internal sealed unsafe class RestPhase
         {
             bool isPlain = _world.Ground is { IsPlane: true, HasPatches: false } && !_around.Air.Varies;
             int evaluations = 0;
-            _isHeldByGround = isPlain && Grips(in s, _world.Ground!, Vector3d.Zero, Vector3d.Zero, Vector3d.Zero, ref evaluations);
+            _isHeldByGround = isPlain && _rest.IsHeldBy(_world.Ground!, in s, new Motion(s.Position, Vector3d.Zero, Vector3d.Zero), Vector3d.Zero, Vector3d.Zero, ref evaluations);
         }
 
         return s.Nets == 0 && _isHeldByGround!.Value;
     }
 
-    /// <summary>True if a ball with zero relative velocity stays at its position, on its carrier or in a net.</summary>
-    /// <remarks>Custom forces are not evaluated here; the next step checks them.</remarks>
-    public bool Holds(in BallState s)
+    /// <summary>Gives a held ball the velocity and the spin of its carrier.</summary>
+    private void FollowCarrier(ref BallState s)
     {
-        if (_around.Air.HasOwnForces)
+        if (!_world.HangsInNet(in s))
         {
-            return true;
+            Collider carrier = _world.CarrierOf(in s);
+            s.Velocity = carrier.MaterialVelocity(s.Position, s.Time);
+            s.SpinAxis = carrier.Spin;
         }
-
-        // The game may have moved the ball to another net since the ball came to rest.
-        if (_world.HangsInNet(in s))
-        {
-            return _contact.Load.HangsStill(in s);
-        }
-
-        BallState copy = s;
-        int evaluations = 0;
-        return IsHeld(ref copy, 0, ref evaluations);
-    }
-
-    /// <summary>True if a ball at rest stays at rest.</summary>
-    /// <remarks>
-    /// A carrier whose velocity jumped takes the ball along if rolling friction holds it.
-    /// <paramref name="perStep"/> is 1/length of the step, or 0 to ignore jumps.
-    /// </remarks>
-    private bool IsHeld(ref BallState s, double perStep, ref int evaluations)
-    {
-        if (_world.HangsInNet(in s))
-        {
-            evaluations++;
-            return !_around.Air.Varies || _contact.Load.HangsStill(in s);
-        }
-
-        Collider carrier = _world.CarrierOf(in s);
-        ShapePoint point = carrier.At(s.Position, s.Time);
-        if (!(point.Distance - _around.Radius <= ContactTolerances.Touching))
-        {
-            return false;
-        }
-
-        // V̇ at the ball's centre, and Ω̇: the carrier's velocity jumps divided by the step.
-        Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
-        Vector3d gained = perStep * (velocity - s.Velocity);
-        Vector3d turned = perStep * (carrier.Spin - s.Spin);
-        if (!Grips(in s, carrier, in velocity, in gained, in turned, ref evaluations) && !IsHeldByAll(in s, in velocity, in gained, ref evaluations))
-        {
-            return false;
-        }
-
-        s.Velocity = velocity;
-        s.SpinAxis = carrier.Spin;
-        return true;
-    }
-
-    /// <summary>True if rolling friction of the carrier alone holds the ball: |a_b,t (+ a_air,t) − A_s,t − α r Ω̇ × n|/(1 + α) ≤ c₀
-    /// N/m.</summary>
-    private bool Grips(in BallState s, Collider carrier, in Vector3d velocity, in Vector3d gained, in Vector3d turned, ref int evaluations)
-    {
-        var still = new Motion(s.Position, in velocity, carrier.Spin);
-        var system = SurfaceSystem.On(_around, carrier, in s, _jump.OnSurface(DragBranch.Unknown, in still));
-        system.Rolls = true;
-        SurfaceForces on = system.ForcesOn(s.Time, in still);
-        evaluations++;
-        double alpha = _world.Ball.InertiaFactor;
-        Vector3d n = on.Normal;
-        Vector3d push = system.PushFromRest(in on)
-            - ((SurfaceSystem.Tangential(in gained, in n) + (alpha * _around.Radius * Vector3d.Cross(in turned, in n))) / (1.0 + alpha));
-        on.Load += Vector3d.Dot(in gained, in n);
-        return on.FreeLoad > ContactTolerances.LeastLoad && push.Length <= system.RollingFriction(in on, 0);
-    }
-
-    /// <summary>True if all contacts together hold the ball, and none of them moves relative to the carrier.</summary>
-    [SkipLocalsInit]
-    private bool IsHeldByAll(in BallState s, in Vector3d velocity, in Vector3d gained, ref int evaluations)
-    {
-        Contact* room = stackalloc Contact[ContactSet.Room];
-        BallState moved = s;
-        moved.Velocity = velocity;
-        Span<Contact> set = ContactSet.Touching(_world, in moved, new Span<Contact>(room, ContactSet.Room), _world.Room);
-        if (set.Length < 2 || set.Length > ContactSystem.Most)
-        {
-            return false;
-        }
-
-        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
-        return RestingSet.HoldAtRest(_around, set, in moved, in still, _jump.OnSurface(DragBranch.Unknown, in still), in gained, ref evaluations);
     }
 
     /// <summary>Wakes the ball with its current velocity and spin, which may differ from the carrier's.</summary>

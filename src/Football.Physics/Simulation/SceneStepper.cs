@@ -34,6 +34,7 @@ internal class SceneStepper<TIntegrator> : Stepper
     private FlatSurfaceStep? _flat; // null if forces turn the spin axis
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
+    private readonly Rest _holds;
     private readonly KnownRests? _rests; // null if a ball may wake although nothing moves, or if nothing wakes it
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
@@ -67,10 +68,11 @@ internal class SceneStepper<TIntegrator> : Stepper
         double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
         OwnForceGuard? own = _air.HasOwnForces ? new OwnForceGuard(scene) : null;
-        _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
+        _parts = new ContactSetParts(around, guard, _displacement, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts, own);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set, own);
-        _rest = new RestPhase(around, guard, _contact, jump);
+        _holds = new Rest(around);
+        _rest = new RestPhase(around, guard, _contact);
         _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
         Pile = new PilePhase(around, guard, _contact);
 
@@ -84,7 +86,7 @@ internal class SceneStepper<TIntegrator> : Stepper
     {
         BallState entered = s;
         World.Enter(ref entered);
-        return _rest.Holds(in entered);
+        return _holds.Holds(in entered);
     }
 
     public override PilePhase Pile { get; }

@@ -42,6 +42,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly WorldContact _contact;
     private readonly ContactSetPhase<TIntegrator> _set;
     private readonly NetGuard _nets;
+    private readonly Rest _rest;
     private readonly SlideEnd _slideEnd;
     private readonly bool _endsSlipExactly;
     private readonly SurfaceHold _hold;
@@ -61,6 +62,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _set = set;
         _own = own;
         _nets = new NetGuard(_world);
+        _rest = new Rest(around);
         _hold = new SurfaceHold(scene, around);
         _slideEnd = new SlideEnd(around, jump, default(TIntegrator).Order);
     }
@@ -193,7 +195,7 @@ internal sealed class SurfacePhase<TIntegrator>
         drive = system.Drive(in piece.On) - piece.On.MaterialRate;
         double friction = system.RollingFriction(in piece.On, 0);
         bool held = drive.Length <= friction;
-        if (system.Rests(in piece.On) && _world.Energy(in piece.From, system.Carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest))
+        if (system.Rests(in piece.On) && _rest.IsSlow(in piece.From, system.Carrier, s.Time))
         {
             _contact.Rest(ref s, ref run);
             return true;

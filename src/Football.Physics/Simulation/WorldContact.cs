@@ -12,6 +12,7 @@ internal sealed partial class WorldContact
 
     private readonly World _world;
     private readonly ContactLoad _load;
+    private readonly Rest _rest;
     private readonly ImpactResult _result;
 
     /// <param name="around">The forces on the ball.</param>
@@ -20,6 +21,7 @@ internal sealed partial class WorldContact
     {
         _world = around.World;
         _load = new ContactLoad(around);
+        _rest = new Rest(around);
         _result = new ImpactResult(_world, _load, gainsByHops);
     }
 
@@ -201,14 +203,9 @@ internal sealed partial class WorldContact
     /// <returns>True if the ball rests.</returns>
     public bool RestsInNet(ref BallState s, ref StepRun run)
     {
-        if (!(_world.Energy(s.Velocity, s.Spin) <= _world.RestEnergy))
-        {
-            return false;
-        }
-
-        // A slow ball may only be turning around, so also require that all forces balance, including those of nets.
-        bool rests = _load.HangsStill(in s);
-        run.Log.Evaluations++;
+        int evaluations = 0;
+        bool rests = _rest.IsStillInNet(in s, ref evaluations);
+        run.Log.Evaluations += evaluations;
         if (rests)
         {
             s.Carrier = _world.ThingOfNet(_world.NetForces.Deepest(in s));
