@@ -9,10 +9,27 @@ namespace FootballPhysics.Contacts;
 /// An active contact keeps touching: n·v̇ = −(qᵀHq − A_s·n). A sticking one keeps zero slip: (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0.
 /// A slipping one has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
 /// </remarks>
-internal unsafe struct ContactSystem : IMotionSystem
+internal unsafe struct ContactSystem : IContactMotion
 {
     /// <summary>Maximum number of contacts of a set.</summary>
     public const int Most = 6;
+
+    private const int Limits = (int)Limit.HoldSpin + 1;
+
+    /// <summary>The events that end a piece; those from <see cref="Rest"/> on belong to the bearer.</summary>
+    private enum Limit
+    {
+        Load,
+        Grip,
+        Slip,
+        Opening,
+        Bearer,
+        Rest,
+        Spin,
+        Roll,
+        Hold,
+        HoldSpin,
+    }
 
     public Surroundings Around;
     public World World;
@@ -71,6 +88,47 @@ internal unsafe struct ContactSystem : IMotionSystem
         }
 
         rates = ContactForces.Solve(ref this, in at.Spin, Free(time, in at));
+    }
+
+    public readonly int Margins => Limits * Count;
+
+    public void Look(double time, in Motion at) => Rates(time, in at, out _);
+
+    public readonly double Margin(int index, double time, in Motion at)
+    {
+        var limit = (Limit)(index % Limits);
+        index /= Limits;
+        ref readonly SetContact contact = ref Contacts[index];
+        if (limit >= Limit.Rest && index != Bearer)
+        {
+            return 0;
+        }
+
+        switch (limit)
+        {
+            case Limit.Load when contact.Bears:
+                return contact.Load - ContactTolerances.LeastLoad;
+            case Limit.Grip when contact.Bears && contact.Sticks:
+                return contact.Grip;
+            case Limit.Slip when contact.Bears && !contact.Sticks && contact.Sliding > 0 && contact.Slip != Vector3d.Zero:
+                return Vector3d.Dot(in contact.Slip, in contact.Direction);
+            case Limit.Opening when !contact.Bears:
+                return contact.Opening + ContactTolerances.LeastLoad;
+            case Limit.Bearer when contact.Bears && Bearer >= 0 && !IsTied && index != Bearer && contact.Sticks == Contacts[Bearer].Sticks:
+                return (Contacts[Bearer].Load * (1.0 + ContactTolerances.SameLoad)) - contact.Load;
+            case Limit.Rest:
+                return World.AboveRest(in at, World.ByIndex[contact.Collider], time);
+            case Limit.Spin when contact.Drilling > 0 && SpinSign != 0:
+                return SpinSign * (Vector3d.Dot(in at.Spin, in contact.Normal) - contact.CarrierSpin);
+            case Limit.Roll when contact.Sticks && !Pinned:
+                return Vector3d.Dot(in contact.RollingVelocity, in Along);
+            case Limit.Hold when Pinned:
+                return (contact.Rolling * contact.Load) - Math.Abs(Held);
+            case Limit.HoldSpin when HoldsSpin:
+                return (contact.Drilling * contact.Load) - Math.Abs(HeldSpin);
+            default:
+                return 0;
+        }
     }
 
     public readonly double LongestPart(in Motion at, in MotionRates rates) => World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);

@@ -273,17 +273,13 @@ internal static class ContactTolerances
     /// <remarks>Above: solvable sets are rejected. Below: pushes are amplified rounding.</remarks>
     public const double LeastPivot = 1e-14;
 
-    /// <summary>The bracket at which the search for an event of a surface ends, relative to the piece.</summary>
-    /// <remarks>Above: the time of the event loses digits. Below: rounding prevents an end.</remarks>
-    public const double EventWidth = 1e-13;
-
     /// <summary>The change of impulses and speeds below which the solver of a set has converged.</summary>
     /// <remarks>Above: squeezed balls gain energy. Below: rounding prevents an end.</remarks>
     public const double Settled = 1e-13;
 
-    /// <summary>The bracket at which the search for an event of a set ends, relative to the piece.</summary>
+    /// <summary>The bracket at which the search for an event on surfaces ends, relative to the piece.</summary>
     /// <remarks>Above: the time of the event loses digits. Below: rounding of the loads prevents an end.</remarks>
-    public const double SetEventWidth = 1e-12;
+    public const double EventWidth = 1e-12;
 
     /// <summary>The excess of the energy over the energy of rest at which a ball still rests.</summary>
     /// <remarks>Above: moving balls come to rest. Below: a ball that is located at that energy does not.</remarks>

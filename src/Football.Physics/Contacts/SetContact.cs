@@ -152,7 +152,7 @@ internal struct SetContact
             Collider collider = world.ByIndex[Collider];
             ShapePoint point = collider.At(in at.Position, time);
             Unsafe.SkipInit(out SurfaceForces on);
-            SurfaceSystem.Describe(collider, r, in point, time, in at, ref on);
+            SurfaceForces.Describe(collider, r, in point, time, in at, ref on);
             Turn(on.Normal);
             Surface = on.Surface;
             SurfaceRate = on.SurfaceRate;

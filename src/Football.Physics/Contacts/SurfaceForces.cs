@@ -58,20 +58,72 @@ internal struct SurfaceForces
 
     /// <summary>N/m if the surface could pull, m/s²: the ball leaves when it falls to zero.</summary>
     public double FreeLoad;
-}
 
-/// <summary>Events that end a piece of a slide or a roll, each with a margin that falls to zero.</summary>
-internal enum SurfaceLimit
-{
-    /// <summary>The load: the ball leaves the surface.</summary>
-    Load,
+    /// <summary>Computes the motion of a surface below the ball: all quantities that do not depend on forces.</summary>
+    /// <param name="carrier">The surface.</param>
+    /// <param name="radius">r, m.</param>
+    /// <param name="point">Distance, normal and curvature below the ball.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="on">Receives the result.</param>
+    public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = point.Normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = point.Curvature * on.Velocity;
+        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        if (carrier.Spin != Vector3d.Zero)
+        {
+            AddRotation(carrier, radius, in point, time, in at, ref on);
+        }
 
-    /// <summary>The margin of static friction: at zero a rolling ball starts to slip.</summary>
-    Grip,
+        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
+    }
 
-    /// <summary>The energy above the rest energy.</summary>
-    Rest,
+    /// <summary>Computes the same for a plane that does not rotate.</summary>
+    public static void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = Vector3d.Zero;
+        on.Centripetal = 0;
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        on.Gyration = Vector3d.Zero;
+    }
 
-    /// <summary>The spin about the normal, which drilling friction stops and never reverses.</summary>
-    Spin,
+    /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
+    private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        Vector3d n = on.Normal;
+        Vector3d spin = carrier.Spin;
+        Vector3d contact = at.Position - (radius * n);
+        on.Surface = carrier.SurfaceVelocity(in contact, in n, time);
+        double off = carrier.OffShape(carrier.SpinVelocity(in contact, time), in n);
+        Vector3d material = carrier.SpinVelocity(in at.Position, time) - (off * n);
+        on.Rolling = SurfaceSystem.Tangential(at.Velocity - material, in n);
+
+        // If only the surface rotates, its velocity is V + w − (w·n) n, whose rate has the further part −(w·n) ṅ along the surface.
+        Vector3d along = material - carrier.Velocity;
+        on.MaterialRate = SurfaceSystem.Tangential(Vector3d.Cross(in spin, in along), in n) - (off * (point.Curvature * along));
+        if (carrier.Rotates)
+        {
+            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
+            Vector3d q = at.Velocity - material;
+            Vector3d bent = point.Curvature * q;
+            on.Velocity = q;
+            on.Turning = Vector3d.Cross(in spin, in n) + bent;
+            on.Centripetal = Vector3d.Dot(in q, in bent)
+                - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
+        }
+
+        // A = Ω × (ċ − V), ċ = v − r ṅ.
+        on.SurfaceRate = SurfaceSystem.Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n) - (off * on.Turning);
+    }
 }

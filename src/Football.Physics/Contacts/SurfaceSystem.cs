@@ -14,15 +14,28 @@ namespace FootballPhysics.Contacts;
 /// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
 /// The normal part of v̇ keeps the ball on the surface.
 /// </remarks>
-internal unsafe struct SurfaceSystem : IMotionSystem
+internal unsafe struct SurfaceSystem : IContactMotion
 {
     /// <summary>The share of the distance to the singularity of the direction that a part takes, and the greatest product of length and turning rate.</summary>
     private const double ShareOfPart = 0.6;
     private const double TurnOfPart = 3.0;
 
+    /// <summary>The events that end a piece: the ball leaves the surface, slips, comes to rest, or drilling friction stops its spin about the
+    /// normal.</summary>
+    private enum Limit
+    {
+        Load,
+        Grip,
+        Rest,
+        Spin,
+    }
+
     public Surroundings Around;
     public World World;
     public Collider Carrier;
+
+    /// <summary>The forces of the last evaluation.</summary>
+    public SurfaceForces Forces;
 
     /// <summary>Material of the carrier below the ball, for the entire piece.</summary>
     public ContactMaterial Material;
@@ -35,6 +48,9 @@ internal unsafe struct SurfaceSystem : IMotionSystem
 
     /// <summary>True if the ball rolls; false if it slides.</summary>
     public bool Rolls;
+
+    /// <summary>True if it rolls however little friction holds it.</summary>
+    public bool KeepsGrip;
 
     /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
     /// <remarks>Friction keeps this direction if a stage passes zero.</remarks>
@@ -110,26 +126,48 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         {
             // Continue the decay beyond zero, so that the end of the piece can be located, but with no spin to lift the ball.
             var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
-            SurfaceForces held = ForcesOn(time, in still);
-            rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
+            Look(time, in still);
+            rates = new MotionRates(Sliding(in still, in Forces).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
             return;
         }
 
-        SurfaceForces on = ForcesOn(time, in at);
-        rates = RatesUnder(in on, time, in at);
+        Look(time, in at);
+        rates = RatesAt(in at);
     }
 
-    /// <summary>Returns the rates of change for known forces.</summary>
-    public MotionRates RatesUnder(in SurfaceForces on, double time, in Motion at)
+    /// <summary>Returns the rates of change for the forces of the last evaluation.</summary>
+    public MotionRates RatesAt(in Motion at)
     {
         if (Rolls)
         {
-            return Rolling(time, in at, in on);
+            return Rolling(in at, in Forces);
         }
 
         // A spin whose square underflows has no direction in which it could end.
-        _ending = on.Braking > Turning(in on) && !Around.Air.Varies && StartSpin.LengthSquared > 0 ? on.Braking : 0;
-        return Sliding(time, in at, in on);
+        _ending = Forces.Braking > Turning(in Forces) && !Around.Air.Varies && StartSpin.LengthSquared > 0 ? Forces.Braking : 0;
+        return Sliding(in at, in Forces);
+    }
+
+    public readonly int Margins => (int)Limit.Spin + 1;
+
+    public void Look(double time, in Motion at) => Forces = ForcesOn(time, in at);
+
+    public readonly double Margin(int index, double time, in Motion at)
+    {
+        switch ((Limit)index)
+        {
+            case Limit.Load:
+                return Forces.FreeLoad;
+            case Limit.Grip when Rolls && !KeepsGrip:
+                return SlidingFriction(in Forces) - Traction(in Forces).Length;
+            case Limit.Rest when Rolls:
+                return Rests(in Forces) ? World.AboveRest(in at, Carrier, time) : 1;
+            case Limit.Spin when Material.DrillingLength > 0 && SpinSign != 0:
+                // Without drilling friction, the end of the spin has no effect.
+                return SpinSign * AboutCarrier(in at.Spin, in Forces.Normal);
+            default:
+                return 0;
+        }
     }
 
     public double LongestPart(in Motion at, in MotionRates rates)
@@ -168,9 +206,6 @@ internal unsafe struct SurfaceSystem : IMotionSystem
     /// <summary>Returns the angular acceleration of a sliding ball by friction, rad/s².</summary>
     private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
-    /// <summary>n.</summary>
-    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace || IsFlat ? FaceNormal : Carrier.At(in position, time).Normal;
-
     /// <summary>Computes all forces except friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
@@ -179,12 +214,12 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
         if (IsFlat)
         {
-            DescribeFlat(Carrier, in FaceNormal, in at, ref on);
+            SurfaceForces.DescribeFlat(Carrier, in FaceNormal, in at, ref on);
         }
         else
         {
             ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-            Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+            SurfaceForces.Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         }
 
         Vector3d n = on.Normal;
@@ -228,74 +263,6 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         }
 
         return on;
-    }
-
-    /// <summary>Computes the motion of a surface below the ball: all quantities that do not depend on forces.</summary>
-    /// <param name="carrier">The surface.</param>
-    /// <param name="radius">r, m.</param>
-    /// <param name="point">Distance, normal and curvature below the ball.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="at">The ball.</param>
-    /// <param name="on">Receives the result.</param>
-    public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
-    {
-        on.Normal = point.Normal;
-        on.Velocity = at.Velocity - carrier.Velocity;
-        on.Turning = point.Curvature * on.Velocity;
-        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
-        on.Rolling = on.Velocity;
-        on.Surface = carrier.Velocity;
-        on.SurfaceRate = Vector3d.Zero;
-        on.MaterialRate = Vector3d.Zero;
-        if (carrier.Spin != Vector3d.Zero)
-        {
-            AddRotation(carrier, radius, in point, time, in at, ref on);
-        }
-
-        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
-    }
-
-    /// <summary>Computes the same for a plane that does not rotate.</summary>
-    private static void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at, ref SurfaceForces on)
-    {
-        on.Normal = normal;
-        on.Velocity = at.Velocity - carrier.Velocity;
-        on.Turning = Vector3d.Zero;
-        on.Centripetal = 0;
-        on.Rolling = on.Velocity;
-        on.Surface = carrier.Velocity;
-        on.SurfaceRate = Vector3d.Zero;
-        on.MaterialRate = Vector3d.Zero;
-        on.Gyration = Vector3d.Zero;
-    }
-
-    /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
-    private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
-    {
-        Vector3d n = on.Normal;
-        Vector3d spin = carrier.Spin;
-        Vector3d contact = at.Position - (radius * n);
-        on.Surface = carrier.SurfaceVelocity(in contact, in n, time);
-        double off = carrier.OffShape(carrier.SpinVelocity(in contact, time), in n);
-        Vector3d material = carrier.SpinVelocity(in at.Position, time) - (off * n);
-        on.Rolling = Tangential(at.Velocity - material, in n);
-
-        // If only the surface rotates, its velocity is V + w − (w·n) n, whose rate has the further part −(w·n) ṅ along the surface.
-        Vector3d along = material - carrier.Velocity;
-        on.MaterialRate = Tangential(Vector3d.Cross(in spin, in along), in n) - (off * (point.Curvature * along));
-        if (carrier.Rotates)
-        {
-            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
-            Vector3d q = at.Velocity - material;
-            Vector3d bent = point.Curvature * q;
-            on.Velocity = q;
-            on.Turning = Vector3d.Cross(in spin, in n) + bent;
-            on.Centripetal = Vector3d.Dot(in q, in bent)
-                - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
-        }
-
-        // A = Ω × (ċ − V), ċ = v − r ṅ.
-        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n) - (off * on.Turning);
     }
 
     /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>
@@ -376,7 +343,7 @@ internal unsafe struct SurfaceSystem : IMotionSystem
     /// <summary>Returns the tangential part of a vector.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
-    private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
+    private readonly MotionRates Sliding(in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
 
@@ -397,7 +364,7 @@ internal unsafe struct SurfaceSystem : IMotionSystem
         return new MotionRates(in acceleration, in spin);
     }
 
-    private readonly MotionRates Rolling(double time, in Motion at, in SurfaceForces on)
+    private readonly MotionRates Rolling(in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
         double r = World.Ball.Radius;

@@ -372,6 +372,9 @@ internal sealed partial class World
     /// <summary>Energy of the motion relative to the carrier, ½ m |v−V_p|² + ½ I |ω−Ω|², J.</summary>
     public double Energy(in Motion at, Collider carrier, double time) => Energy(at.Velocity - carrier.MaterialVelocity(in at.Position, time), at.Spin - carrier.Spin);
 
+    /// <summary>Returns a margin of the energy above that of rest: the difference of the square roots, because the root falls almost linearly.</summary>
+    public double AboveRest(in Motion at, Collider carrier, double time) => Math.Sqrt(Energy(in at, carrier, time)) - Math.Sqrt(RestEnergy);
+
     /// <summary>½ m |v|² + ½ I |ω|², J.</summary>
     public double Energy(in Vector3d velocity, in Vector3d spin) => (_halfMass * velocity.LengthSquared) + (_halfInertia * spin.LengthSquared);
 

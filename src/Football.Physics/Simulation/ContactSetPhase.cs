@@ -112,9 +112,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece, out bool taken)
         where TMethod : struct, IMotionMethod
     {
-        double* starts = stackalloc double[SetMargin<TMethod>.Most];
         taken = true;
-        if (!Integrate(in s, ref run, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep))
+        if (!Integrate(in s, ref run, in piece, out MotionSweep<ContactSystem, TMethod> sweep))
         {
             return false;
         }
@@ -127,7 +126,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return true;
         }
 
-        Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
+        Shorten(ref sweep, ref s, ref run, set, ref piece);
         if (SetGuard.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length, default(TMethod).Order))
         {
             s.Branch = piece.System.Branch;
@@ -208,12 +207,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
     /// <summary>Integrates a piece.</summary>
     /// <returns>False if the method does not follow the custom forces.</returns>
-    private bool Integrate<TMethod>(in BallState s, ref StepRun run, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
+    private bool Integrate<TMethod>(in BallState s, ref StepRun run, in SetPiece piece, out MotionSweep<ContactSystem, TMethod> sweep)
         where TMethod : struct, IMotionMethod
     {
         ref readonly ContactSystem system = ref piece.System;
         sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in system.Start, system.Around.Wind, system.Around.Radius);
-        SetMargin<TMethod>.Start(ref sweep, in s, in piece.From, starts);
         if (_own is not null)
         {
             return _own.Take(ref sweep, piece.Length, system.Trace, ref run);
@@ -226,7 +224,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Ends a piece at the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction limit, slip, rest), a
     /// border between two materials, a net that goes slack, or a new contact.</summary>
     private void Shorten<TMethod>(
-        ref MotionSweep<ContactSystem, TMethod> sweep, ref BallState s, ref StepRun run, Span<Contact> set, double* starts, ref SetPiece piece)
+        ref MotionSweep<ContactSystem, TMethod> sweep, ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
         where TMethod : struct, IMotionMethod
     {
         ref ContactSystem system = ref piece.System;
@@ -247,7 +245,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         double crossing = sweep.Length;
-        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s, starts);
+        bool changes = EventMargin<ContactSystem, TMethod>.EndPiece(ref sweep, s.Time, out _);
         SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, default(TMethod).Order, set, out piece.Met);

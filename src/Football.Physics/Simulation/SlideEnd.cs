@@ -43,7 +43,7 @@ internal sealed class SlideEnd
     {
         stop = default;
         ref readonly SurfaceSystem system = ref piece.System;
-        ref readonly SurfaceForces on = ref piece.On;
+        ref readonly SurfaceForces on = ref system.Forces;
         double longest = piece.Length;
 
         // First estimate: use the push and the friction at the start.
@@ -169,8 +169,8 @@ internal sealed class SlideEnd
         double t = decay.Time;
         Vector3d velocity = piece.From.Velocity + ((0.5 * t) * (first + last)) - (sliding * decay.Direction);
         Vector3d position = piece.From.Position + (t * piece.From.Velocity) + ((t * t / 6.0) * ((2.0 * first) + last)) - (sliding * decay.Twice);
-        Vector3d surface = _world.SurfaceVelocity(piece.System.Carrier, in position, in piece.On.Normal, s.Time + t);
-        Vector3d spin = Slip.RollingSpin(velocity - surface, about, in piece.On.Normal, _around.Radius);
+        Vector3d surface = _world.SurfaceVelocity(piece.System.Carrier, in position, in piece.System.Forces.Normal, s.Time + t);
+        Vector3d spin = Slip.RollingSpin(velocity - surface, about, in piece.System.Forces.Normal, _around.Radius);
         return new Motion(in position, in velocity, in spin);
     }
 }

@@ -132,9 +132,9 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         System(in s, in piece.From, rolls, out piece.System);
         piece.System.CarrierGain = run.CarrierGain;
-        piece.On = piece.System.ForcesOn(s.Time, in piece.From);
+        piece.System.Look(s.Time, in piece.From);
         run.Log.Evaluations++;
-        if (piece.On.FreeLoad <= ContactTolerances.LeastLoad)
+        if (piece.System.Forces.FreeLoad <= ContactTolerances.LeastLoad)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return false;
@@ -146,8 +146,9 @@ internal sealed class SurfacePhase<TIntegrator>
             return false;
         }
 
-        bool grips = piece.System.Grips(in piece.On) || NetGuard.KeepsGrip(in s, in run);
-        Vector3d moving = rolls ? piece.On.Rolling : piece.System.SlipOf(in piece.From, in piece.On);
+        piece.System.KeepsGrip = NetGuard.KeepsGrip(in s, in run);
+        bool grips = piece.System.Grips(in piece.System.Forces) || piece.System.KeepsGrip;
+        Vector3d moving = rolls ? piece.System.Forces.Rolling : piece.System.SlipOf(in piece.From, in piece.System.Forces);
         piece.Size = moving.Length;
 
         // A rolling ball that needs more traction than friction provides starts to slide.
@@ -165,24 +166,24 @@ internal sealed class SurfacePhase<TIntegrator>
             return false;
         }
 
-        Vector3d start = piece.System.Traction(in piece.On);
+        Vector3d start = piece.System.Traction(in piece.System.Forces);
         if (rolls && Rests(ref s, ref run, ref piece, out start))
         {
             return false;
         }
 
         // The direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
-        moving = piece.Size < ContactTolerances.Rolling ? start : rolls ? piece.On.Rolling : moving;
+        moving = piece.Size < ContactTolerances.Rolling ? start : rolls ? piece.System.Forces.Rolling : moving;
         double length = moving.Length;
         piece.System.Direction = length > 0 ? moving / length : Vector3d.Zero;
         piece.System.LocksDirection = piece.Size < ContactTolerances.Rolling;
 
-        piece.System.FollowsPush = piece.System.LocksDirection && _world.SharesAir && SlowSlip.Follows(in piece.System, in piece.On, in piece.From);
+        piece.System.FollowsPush = piece.System.LocksDirection && _world.SharesAir && SlowSlip.Follows(in piece.System, in piece.System.Forces, in piece.From);
         piece.System.LocksDirection &= !piece.System.FollowsPush;
 
         // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
-        piece.Length = LongestPiece(in s, in piece.From, in piece.On, ref run);
-        piece.Start = piece.System.RatesUnder(in piece.On, s.Time, in piece.From);
+        piece.Length = LongestPiece(in s, in piece.From, in piece.System.Forces, ref run);
+        piece.Start = piece.System.RatesAt(in piece.From);
         piece.System.NetsSlack = _nets.SlackAt(in s, piece.Start.Acceleration);
         return piece.Size < ContactTolerances.Rolling || FollowsDirection(ref s, ref run, ref piece, in moving);
     }
@@ -192,10 +193,10 @@ internal sealed class SurfacePhase<TIntegrator>
     private bool Rests(ref BallState s, ref StepRun run, ref SurfacePiece piece, out Vector3d drive)
     {
         ref SurfaceSystem system = ref piece.System;
-        drive = system.Drive(in piece.On) - piece.On.MaterialRate;
-        double friction = system.RollingFriction(in piece.On, 0);
+        drive = system.Drive(in piece.System.Forces) - piece.System.Forces.MaterialRate;
+        double friction = system.RollingFriction(in piece.System.Forces, 0);
         bool held = drive.Length <= friction;
-        if (system.Rests(in piece.On) && _rest.IsSlow(in piece.From, system.Carrier, s.Time))
+        if (system.Rests(in piece.System.Forces) && _rest.IsSlow(in piece.From, system.Carrier, s.Time))
         {
             _contact.Rest(ref s, ref run);
             return true;
@@ -206,7 +207,7 @@ internal sealed class SurfacePhase<TIntegrator>
         bool creeps = drive.Length > SlowStop * friction && piece.Size >= ContactTolerances.Rolling && run.Length * friction > Creeping * piece.Size;
         if (creeps)
         {
-            double along = Creep(ref s, in piece.On, in drive);
+            double along = Creep(ref s, in piece.System.Forces, in drive);
             piece.Size = held ? along : 0;
         }
 
@@ -220,7 +221,7 @@ internal sealed class SurfacePhase<TIntegrator>
         if (system.Pinned || creeps)
         {
             piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            piece.On = system.ForcesOn(s.Time, in piece.From);
+            system.Look(s.Time, in piece.From);
             run.Log.Evaluations++;
         }
 
@@ -233,10 +234,10 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         ref SurfaceSystem system = ref piece.System;
         bool rolls = system.Rolls;
-        double sliding = system.SlidingFriction(in piece.On);
-        double most = rolls ? system.RollingFriction(in piece.On, piece.Size) : sliding;
-        Vector3d rate = rolls ? piece.Start.Acceleration + (piece.On.Centripetal * piece.On.Normal) - piece.On.MaterialRate
-            : system.SlipRate(in piece.On, in piece.Start, in piece.From.Spin);
+        double sliding = system.SlidingFriction(in piece.System.Forces);
+        double most = rolls ? system.RollingFriction(in piece.System.Forces, piece.Size) : sliding;
+        Vector3d rate = rolls ? piece.Start.Acceleration + (piece.System.Forces.Centripetal * piece.System.Forces.Normal) - piece.System.Forces.MaterialRate
+            : system.SlipRate(in piece.System.Forces, in piece.Start, in piece.From.Spin);
 
         // Near the end of a slip, its direction turns ever faster: use the closed form there.
         SlideStop stop = default;
@@ -250,24 +251,24 @@ internal sealed class SurfacePhase<TIntegrator>
         if (s.Nets != 0)
         {
             // The parts of the piece follow the direction, so only end the piece before the slip or the roll ends.
-            system.Reference = rolls ? piece.From.Velocity - piece.On.Rolling : piece.On.Surface;
+            system.Reference = rolls ? piece.From.Velocity - piece.System.Forces.Rolling : piece.System.Forces.Surface;
             system.Friction = turned;
             piece.Length = stop.Before > 0 ? Math.Min(piece.Length, stop.Before) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
             system.ShortestPart = ShortestPart * piece.Length;
             return true;
         }
 
-        if (TurnLimit.IsStiff(piece.Length, piece.Size, turned) && SlowSlip.Follows(in system, in piece.On, in piece.From))
+        if (TurnLimit.IsStiff(piece.Length, piece.Size, turned) && SlowSlip.Follows(in system, in piece.System.Forces, in piece.From))
         {
             system.FollowsPush = true;
-            piece.Start = system.RatesUnder(in piece.On, s.Time, in piece.From);
+            piece.Start = system.RatesAt(in piece.From);
             return true;
         }
 
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
-        h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.On.Turning.Length) : h;
+        h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
         piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
-        piece.Start = system.LocksDirection ? system.RatesUnder(in piece.On, s.Time, in piece.From) : piece.Start;
+        piece.Start = system.LocksDirection ? system.RatesAt(in piece.From) : piece.Start;
         return true;
     }
 
@@ -280,7 +281,7 @@ internal sealed class SurfacePhase<TIntegrator>
         if (_own is not null)
         {
             trace->Begin(_around.Radius);
-            trace->Add(in piece.On.Own, in piece.On.OwnTorque);
+            trace->Add(in piece.System.Forces.Own, in piece.System.Forces.OwnTorque);
             return _own.Take(ref sweep, piece.Length, trace, ref run);
         }
 
@@ -313,7 +314,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         double crossing = sweep.Length;
-        piece.OverEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, NetGuard.KeepsGrip(in s, in run));
+        EventMargin<SurfaceSystem, TMethod>.EndPiece(ref sweep, s.Time, out piece.OverEdge);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s, system.NetsSlack);
         _nets.EndWhereBent(ref sweep, in s, in run, (int)s.Carrier - _world.FirstCollider);
@@ -355,7 +356,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // The thesis' heuristic checks for the end of a slide only at the end of a piece.
-        if (!_endsSlipExactly && piece.System.SlidingFriction(in piece.On) > 0 && s.Motion == MotionState.Sliding && !piece.System.Rolls && !run.Log.Halted)
+        if (!_endsSlipExactly && piece.System.SlidingFriction(in piece.System.Forces) > 0 && s.Motion == MotionState.Sliding && !piece.System.Rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, piece.Size);
         }
@@ -397,7 +398,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _hold.Hold(ref s, in piece.System, -1);
         if (run.Log.IsWatched)
         {
-            Vector3d acceleration = stop.Start - (piece.System.SlidingFriction(in piece.On) * piece.System.Direction);
+            Vector3d acceleration = stop.Start - (piece.System.SlidingFriction(in piece.System.Forces) * piece.System.Direction);
             Vector3d atEnd = Extrapolate.Rate(in piece.From.Velocity, s.Velocity, in acceleration, stop.Time);
             run.Log.Show(in before, in s, in acceleration, in atEnd, default(TIntegrator).Order);
         }

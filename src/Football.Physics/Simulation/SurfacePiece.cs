@@ -5,14 +5,11 @@ namespace FootballPhysics.Simulation;
 /// <summary>A piece of a slide or a roll.</summary>
 internal struct SurfacePiece
 {
-    /// <summary>The equations, locked for the piece.</summary>
+    /// <summary>The equations, locked for the piece, with the forces at the start.</summary>
     public SurfaceSystem System;
 
     /// <summary>The motion at the start.</summary>
     public Motion From;
-
-    /// <summary>The forces at the start.</summary>
-    public SurfaceForces On;
 
     /// <summary>The rates at the start.</summary>
     public MotionRates Start;

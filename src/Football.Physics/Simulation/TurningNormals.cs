@@ -37,7 +37,7 @@ internal static class TurningNormals
                 Collider collider = world.ByIndex[contact.Collider];
                 ShapePoint at = collider.At(s.Position, s.Time);
                 Unsafe.SkipInit(out SurfaceForces on);
-                SurfaceSystem.Describe(collider, world.Ball.Radius, in at, s.Time, in from, ref on);
+                SurfaceForces.Describe(collider, world.Ball.Radius, in at, s.Time, in from, ref on);
                 turning = Math.Max(turning, on.Turning.Length);
             }
         }

@@ -26,7 +26,7 @@ public sealed class ContactToleranceTests
         Assert.True(100 * ContactTolerances.ClosedGap <= ContactTolerances.Touching);
         Assert.True(2 * ContactTolerances.Touching < ContactTolerances.Overlap);
         Assert.True(ContactTolerances.JumpWidth < ContactTolerances.BeyondJump);
-        Assert.True(ContactTolerances.EventWidth < ContactTolerances.Beyond && ContactTolerances.SetEventWidth < ContactTolerances.Beyond);
+        Assert.True(ContactTolerances.EventWidth < ContactTolerances.Beyond);
     }
 
     [Fact]
