@@ -21,7 +21,7 @@ internal static unsafe class ContactForces
         {
             // The damped spin about the normal: ω̇_n = −(c_ω/I) (ω − Ω)·n.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
-            spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
+            spinAcceleration -= bearer.Resistance.Damping / system.World.Ball.MomentOfInertia * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }
 
         SolveAll(ref system, in spin, ref acceleration, ref spinAcceleration);
@@ -130,7 +130,7 @@ internal static unsafe class ContactForces
             return false;
         }
 
-        double share = FrictionBrace.Share(b + firstRow, z + firstRow, first.Sliding, b + secondRow, z + secondRow, second.Sliding);
+        double share = FrictionBrace.Share(b + firstRow, z + firstRow, first.Resistance.Sliding, b + secondRow, z + secondRow, second.Resistance.Sliding);
         for (int k = 0; k < size && share != 0; k++)
         {
             b[k] += share * z[k];
@@ -208,8 +208,8 @@ internal static unsafe class ContactForces
         if (!contact.Sticks)
         {
             Vector3d direction = contact.SlipDirection;
-            row.PushV -= contact.Sliding * direction;
-            row.PushW = contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
+            row.PushV -= contact.Resistance.Sliding * direction;
+            row.PushW = contact.Resistance.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
         }
 
         if (index == system.Bearer)
@@ -234,7 +234,8 @@ internal static unsafe class ContactForces
     /// normal.</summary>
     private static void AddResistance(in ContactSystem system, in SetContact contact, ref ForceRow load)
     {
-        load.PushW -= system.SpinSign * contact.Drilling * contact.Normal;
+        BallProperties ball = system.World.Ball;
+        load.PushW -= system.SpinSign * contact.Resistance.Drilling * ball.Mass / ball.MomentOfInertia * contact.Normal;
         if (!contact.Sticks || system.Pinned || system.Along == Vector3d.Zero)
         {
             return;
@@ -242,9 +243,9 @@ internal static unsafe class ContactForces
 
         double speed = contact.RollingVelocity.Length;
         Vector3d direction = speed > 0 && !(Vector3d.Dot(in contact.RollingVelocity, in system.Along) < 0) ? contact.RollingVelocity / speed : system.Along;
-        double share = contact.Rolling + (contact.RollingBySpeed * speed);
+        double share = contact.Resistance.MostRolling(1, speed);
         load.PushV -= share * direction;
-        load.PushW -= share / system.World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
+        load.PushW -= share / ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
     }
 
     /// <summary>The unit force that two sticking contacts exert against each other along the line between the contact points: n₁ − n₂, at the first contact.</summary>

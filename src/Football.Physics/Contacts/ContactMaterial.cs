@@ -37,20 +37,8 @@ internal readonly struct ContactMaterial
     /// <summary>μ of an impact.</summary>
     public readonly double ImpactFriction;
 
-    /// <summary>μ_s.</summary>
-    public readonly double SlidingFriction;
-
-    /// <summary>μ_r or c₀.</summary>
-    public readonly double RollingFriction;
-
-    /// <summary>c₁, s/m.</summary>
-    public readonly double RollingFrictionBySpeed;
-
-    /// <summary>c_ω, N m s.</summary>
-    public readonly double SpinDamping;
-
-    /// <summary>b, m.</summary>
-    public readonly double DrillingLength;
+    /// <summary>The resistance to a slide, a roll and a spin about the normal.</summary>
+    public readonly Resistance Resistance;
 
     public ContactMaterial(Ground ground, double bounce = 1)
         : this(ground.Material, bounce) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
@@ -68,11 +56,8 @@ internal readonly struct ContactMaterial
         TangentialZ = surface.TangentialRestitution;
         Spin = surface.SpinRestitution;
         ImpactFriction = surface.ImpactFriction;
-        SlidingFriction = surface.SlidingFriction;
-        RollingFriction = surface.RollingResistance;
-        RollingFrictionBySpeed = surface.RollingResistancePerSpeed;
-        SpinDamping = surface.SpinDamping;
-        DrillingLength = surface.TorsionalPatchRadius;
+        Resistance = new Resistance(
+            surface.SlidingFriction, surface.RollingResistance, surface.RollingResistancePerSpeed, surface.SpinDamping, surface.TorsionalPatchRadius);
     }
 
     /// <summary>Creates a surface with the three constants of an impact only, the same at every speed.</summary>

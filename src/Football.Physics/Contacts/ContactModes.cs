@@ -184,7 +184,7 @@ internal static unsafe class ContactModes
         ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
         double about = Vector3d.Dot(in at.Spin, in bearer.Normal) - bearer.CarrierSpin;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
-        system.HoldsSpin = system.SpinSign == 0 && bearer.Drilling > 0;
+        system.HoldsSpin = system.SpinSign == 0 && bearer.Resistance.Drills;
         system.Pinned = false;
         system.Along = DirectionLeft(in system, out bool isLine);
         if (!bearer.Sticks || system.Along == Vector3d.Zero)
@@ -202,7 +202,7 @@ internal static unsafe class ContactModes
         // At a standstill, the ball is either held, or starts to roll along the push.
         double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
         system.Along = push < 0 ? -system.Along : system.Along;
-        system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
+        system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.MostRolling;
     }
 
     /// <summary>Returns the direction that active contacts leave free, normal to both normals; zero if a third contact blocks it.</summary>
@@ -337,7 +337,7 @@ internal static unsafe class ContactModes
             }
         }
 
-        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
+        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.MostDrilling(in system.Contacts[system.Bearer]) * (1.0 + ContactTolerances.BeyondCone))
         {
             // Drilling friction cannot hold the spin: the spin starts against the holding torque.
             system.HoldsSpin = false;
@@ -345,7 +345,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
+        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].MostRolling * (1.0 + ContactTolerances.BeyondCone))
         {
             // Rolling resistance cannot hold the ball either: the ball starts to roll against the holding force.
             system.Pinned = false;

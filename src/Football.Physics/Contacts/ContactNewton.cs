@@ -111,7 +111,7 @@ internal static class ContactNewton
             rows.Slice(1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
             new Slipping(Vector3d.Dot(in relative, in t1) - (r * Vector3d.Dot(in w, in t2)), Vector3d.Dot(in relative, in t2) + (r * Vector3d.Dot(in w, in t1))),
             new Slipping(Vector3d.Dot(in contact.Friction, in t1), Vector3d.Dot(in contact.Friction, in t2)),
-            grip, bears ? contact.Material.SlidingFriction : 0, contact.Load, loadRow);
+            grip, bears ? contact.Material.Resistance.Sliding : 0, contact.Load, loadRow);
     }
 
     /// <summary>Finds the contacts that have impulses or are about to get them. No other contact has an impulse after the step.</summary>

@@ -194,7 +194,7 @@ internal static class ContactSolver
         Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
         Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
         double size = friction.Length;
-        double most = FrictionLaw.Limit(contact.Material.SlidingFriction, load);
+        double most = contact.Material.Resistance.MostFriction(load);
         friction = size > most ? most / size * friction : friction;
         Vector3d rubbed = friction - contact.Friction;
         v += rubbed;
@@ -277,17 +277,16 @@ internal struct TurningResistance
     }
 
     /// <summary>c_ω h/I.</summary>
-    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.SpinDamping / ball.MomentOfInertia;
+    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.Resistance.Damping / ball.MomentOfInertia;
 
     /// <summary>Maximum spin that drilling friction removes about the normal per unit of load, rad/s per m/s: b μ_s/(α r²).</summary>
     public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
-        contact.Material.DrillingLength * contact.Material.SlidingFriction / (ball.InertiaFactor * ball.Radius * ball.Radius);
+        contact.Material.Resistance.Drilling / (ball.InertiaFactor * ball.Radius * ball.Radius);
 
     /// <summary>Maximum spin that resistance removes from the rolling, rad/s; zero if the contact slipped before.</summary>
     public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
     {
-        ref readonly ContactMaterial material = ref contact.Material;
-        double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
-        return contact.Rolls ? (1.0 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * ball.Radius) : 0;
+        double most = contact.Material.Resistance.MostRolling(contact.Load, (v - contact.Velocity).Length);
+        return contact.Rolls ? (1.0 + ball.InertiaFactor) * most / (ball.InertiaFactor * ball.Radius) : 0;
     }
 }

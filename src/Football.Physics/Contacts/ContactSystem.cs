@@ -110,7 +110,7 @@ internal unsafe struct ContactSystem : IContactMotion
                 return contact.Load - ContactTolerances.LeastLoad;
             case Limit.Grip when contact.Bears && contact.Sticks:
                 return contact.Grip;
-            case Limit.Slip when contact.Bears && !contact.Sticks && contact.Sliding > 0 && contact.Slip != Vector3d.Zero:
+            case Limit.Slip when contact.Bears && !contact.Sticks && contact.Resistance.Rubs && contact.Slip != Vector3d.Zero:
                 return Vector3d.Dot(in contact.Slip, in contact.Direction);
             case Limit.Opening when !contact.Bears:
                 return contact.Opening + ContactTolerances.LeastLoad;
@@ -118,14 +118,14 @@ internal unsafe struct ContactSystem : IContactMotion
                 return (Contacts[Bearer].Load * (1.0 + ContactTolerances.SameLoad)) - contact.Load;
             case Limit.Rest:
                 return World.AboveRest(in at, World.ByIndex[contact.Collider], time);
-            case Limit.Spin when contact.Drilling > 0 && SpinSign != 0:
+            case Limit.Spin when contact.Resistance.Drills && SpinSign != 0:
                 return SpinSign * (Vector3d.Dot(in at.Spin, in contact.Normal) - contact.CarrierSpin);
             case Limit.Roll when contact.Sticks && !Pinned:
                 return Vector3d.Dot(in contact.RollingVelocity, in Along);
             case Limit.Hold when Pinned:
-                return (contact.Rolling * contact.Load) - Math.Abs(Held);
+                return contact.MostRolling - Math.Abs(Held);
             case Limit.HoldSpin when HoldsSpin:
-                return (contact.Drilling * contact.Load) - Math.Abs(HeldSpin);
+                return MostDrilling(in contact) - Math.Abs(HeldSpin);
             default:
                 return 0;
         }
@@ -141,6 +141,9 @@ internal unsafe struct ContactSystem : IContactMotion
         s.SpinAxis = step.End.Spin;
         s.AirDistance = step.End.AirDistance;
     }
+
+    /// <summary>b μ_s N/I, rad/s².</summary>
+    public readonly double MostDrilling(in SetContact contact) => contact.Resistance.MostDrilling(contact.Load) * World.Ball.Mass / World.Ball.MomentOfInertia;
 
     /// <summary>Computes the forces on the ball without contacts.</summary>
     public readonly MotionRates Free(double time, in Motion at)

@@ -146,7 +146,7 @@ internal static class ImpactLaw
         public double SpinKept(in ContactMaterial material, double about, double inertia)
         {
             double kept = material.Spin * about;
-            double drilled = material.DrillingLength * material.SlidingFriction * Normal / inertia;
+            double drilled = material.Resistance.MostDrilling(Normal) / inertia;
             return kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
         }
     }

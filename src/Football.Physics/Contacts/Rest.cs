@@ -123,7 +123,7 @@ internal sealed unsafe class Rest
                 return false;
             }
 
-            contacts[i].Prepare(in set[i], collider, _world.Ball);
+            contacts[i].Prepare(in set[i], collider);
             contacts[i].Look(_world, s.Time, in still);
         }
 
@@ -161,7 +161,7 @@ internal sealed unsafe class Rest
         }
 
         int bearer = free.FirstLoad >= free.SecondLoad ? free.First : free.Second;
-        double most = (1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * Math.Max(free.FirstLoad, free.SecondLoad);
+        double most = (1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Resistance.MostRolling(Math.Max(free.FirstLoad, free.SecondLoad), 0);
         return free.Left.Length <= most + ContactTolerances.LeastLoad;
     }
 

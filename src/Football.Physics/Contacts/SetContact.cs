@@ -40,12 +40,8 @@ internal struct SetContact
     public Vector3d Turning;
     public double Centripetal;
 
-    /// <summary>μ_s, c₀, c₁, c_ω/I and b μ_s m/I of the surface.</summary>
-    public double Sliding;
-    public double Rolling;
-    public double RollingBySpeed;
-    public double Damping;
-    public double Drilling;
+    /// <summary>The resistance of the surface.</summary>
+    public Resistance Resistance;
 
     /// <summary>N/m and F/m of the last solution, m/s².</summary>
     public double Load;
@@ -58,10 +54,13 @@ internal struct SetContact
     public Vector3d Slip;
 
     /// <summary>μ_s N − |F|, m/s²: at zero a sticking contact starts to slip.</summary>
-    public readonly double Grip => (Sliding * Load) - Friction.Length;
+    public readonly double Grip => Resistance.MostFriction(Load) - Friction.Length;
+
+    /// <summary>c₀ N/m, m/s²: the rolling resistance at a standstill.</summary>
+    public readonly double MostRolling => Resistance.MostRolling(Load, 0);
 
     /// <summary>|F| − μ_s N, m/s²: the friction beyond the cone that sticking needs. Above 0 the contact must slip.</summary>
-    public readonly double Excess => Friction.Length - (Sliding * Load * (1.0 + ContactTolerances.BeyondCone));
+    public readonly double Excess => Friction.Length - (Resistance.MostFriction(Load) * (1.0 + ContactTolerances.BeyondCone));
 
     /// <summary>The number of unknown forces: a load, and two friction components if the contact sticks.</summary>
     public readonly int Width => !Bears ? 0 : Sticks ? 3 : 1;
@@ -89,7 +88,7 @@ internal struct SetContact
     public void Press(double sticking)
     {
         Bears = true;
-        Sticks = Slip.Length < sticking && Sliding > 0;
+        Sticks = Slip.Length < sticking && Resistance.Rubs;
     }
 
     /// <summary>Starts a slip against the friction that sticking needed.</summary>
@@ -116,17 +115,12 @@ internal struct SetContact
         rates.Acceleration - SurfaceRate + (radius * (Vector3d.Cross(in Turning, in spin) + Vector3d.Cross(in Normal, in rates.SpinAcceleration))), in Normal);
 
     /// <summary>Prepares a contact that a ball touches.</summary>
-    public void Prepare(in Contact contact, Collider collider, BallProperties ball)
+    public void Prepare(in Contact contact, Collider collider)
     {
         this = default;
         Collider = contact.Collider;
         Bears = true;
-        ref readonly ContactMaterial material = ref contact.Material;
-        Sliding = material.SlidingFriction;
-        Rolling = material.RollingFriction;
-        RollingBySpeed = material.RollingFrictionBySpeed;
-        Damping = material.SpinDamping / ball.MomentOfInertia;
-        Drilling = material.DrillingLength * material.SlidingFriction * ball.Mass / ball.MomentOfInertia;
+        Resistance = contact.Material.Resistance;
 
         // A plane or a flat face that does not rotate is constant throughout the piece.
         IsFixed = contact.IsFlat && collider.Spin == Vector3d.Zero && (collider.HasFaces || collider.IsPlane);

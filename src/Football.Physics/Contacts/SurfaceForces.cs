@@ -84,20 +84,6 @@ internal struct SurfaceForces
         on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
     }
 
-    /// <summary>Computes the same for a plane that does not rotate.</summary>
-    public static void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at, ref SurfaceForces on)
-    {
-        on.Normal = normal;
-        on.Velocity = at.Velocity - carrier.Velocity;
-        on.Turning = Vector3d.Zero;
-        on.Centripetal = 0;
-        on.Rolling = on.Velocity;
-        on.Surface = carrier.Velocity;
-        on.SurfaceRate = Vector3d.Zero;
-        on.MaterialRate = Vector3d.Zero;
-        on.Gyration = Vector3d.Zero;
-    }
-
     /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
     private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {

@@ -60,7 +60,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
     public Vector3d Reference;
 
     /// <summary>The part of the rate of the slip or the roll that is due to friction, m/s².</summary>
-    public double Friction;
+    public double Slowing;
 
     /// <summary>The minimum length of a part, s.</summary>
     public double ShortestPart;
@@ -78,11 +78,11 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <summary>True if the ball is at a standstill on the carrier and only spins about the normal.</summary>
     public bool Pinned;
 
-    /// <summary>True if the ball is on a flat face for the entire piece: <see cref="FaceNormal"/> is then its normal, and the shape is not
-    /// evaluated.</summary>
+    /// <summary>True if the ball is on a flat face for the entire piece.</summary>
     public bool IsFace;
 
-    /// <summary>True if <see cref="FaceNormal"/> is the normal for the entire piece, and the carrier's surface does not rotate.</summary>
+    /// <summary>True if <see cref="FaceNormal"/> is the normal for the entire piece: the shape is a plane or a face, does not rotate, and is not
+    /// evaluated.</summary>
     public bool IsFlat;
 
     /// <summary>The normal at the start of the piece.</summary>
@@ -159,10 +159,10 @@ internal unsafe struct SurfaceSystem : IContactMotion
             case Limit.Load:
                 return Forces.FreeLoad;
             case Limit.Grip when Rolls && !KeepsGrip:
-                return SlidingFriction(in Forces) - Traction(in Forces).Length;
+                return MostFriction(in Forces) - Traction(in Forces).Length;
             case Limit.Rest when Rolls:
                 return Rests(in Forces) ? World.AboveRest(in at, Carrier, time) : 1;
-            case Limit.Spin when Material.DrillingLength > 0 && SpinSign != 0:
+            case Limit.Spin when Material.Resistance.Drills && SpinSign != 0:
                 // Without drilling friction, the end of the spin has no effect.
                 return SpinSign * AboutCarrier(in at.Spin, in Forces.Normal);
             default:
@@ -185,7 +185,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Vector3d rate = Rolls ? Tangential(rates.Acceleration, in FaceNormal) : Slip.Of(rates.Acceleration, rates.SpinAcceleration, in FaceNormal, r);
         double size = moving.Length;
         Direction = size > 0 ? moving / size : Direction;
-        return Math.Min(longest, Math.Max(ShortestPart, ShareOfPart * size / Math.Max(rate.Length, Friction / TurnOfPart)));
+        return Math.Min(longest, Math.Max(ShortestPart, ShareOfPart * size / Math.Max(rate.Length, Slowing / TurnOfPart)));
     }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
@@ -204,7 +204,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
     private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
 
     /// <summary>Returns the angular acceleration of a sliding ball by friction, rad/s².</summary>
-    private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
+    private readonly double Turning(in SurfaceForces on) => MostFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>Computes all forces except friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
@@ -212,16 +212,8 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Unsafe.SkipInit(out SurfaceForces on);
 
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
-        if (IsFlat)
-        {
-            SurfaceForces.DescribeFlat(Carrier, in FaceNormal, in at, ref on);
-        }
-        else
-        {
-            ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-            SurfaceForces.Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
-        }
-
+        ShapePoint point = IsFlat ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
+        SurfaceForces.Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         Vector3d n = on.Normal;
 
         // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
@@ -301,21 +293,20 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <summary>True if rolling friction holds a ball at a standstill.</summary>
     /// <remarks>If the spin does not share the air's force, a ball at rest stays at rest in any wind.</remarks>
     public readonly bool Rests(in SurfaceForces on) =>
-        (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= RollingFriction(in on, 0);
+        (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= MostRolling(in on, 0);
 
     /// <summary>Returns the slip velocity relative to the carrier, m/s.</summary>
     public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>
         Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
 
     /// <summary>True if friction can hold the ball without slip.</summary>
-    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= SlidingFriction(in on);
+    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= MostFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
-    public readonly double SlidingFriction(in SurfaceForces on) => FrictionLaw.Limit(Material.SlidingFriction, on.Load);
+    public readonly double MostFriction(in SurfaceForces on) => Material.Resistance.MostFriction(on.Load);
 
     /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
-    public readonly double RollingFriction(in SurfaceForces on, double speed) =>
-        (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
+    public readonly double MostRolling(in SurfaceForces on, double speed) => Material.Resistance.MostRolling(on.Load, speed);
 
     /// <summary>Returns the acceleration of the slip without friction, m/s²: the push along the surface, r n × torques, and the turning
     /// normal.</summary>
@@ -327,8 +318,13 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Tangential(in rates.Acceleration, on.Normal)
         + (World.Ball.Radius * (Vector3d.Cross(on.Normal, in rates.SpinAcceleration) + SlipTurn(in on, in spin))) - on.SurfaceRate;
 
+    /// <summary>Returns the part of the rate of the slip or the roll that is due to friction, m/s².</summary>
+    /// <param name="on">The forces.</param>
+    /// <param name="speed">The speed of a roll, m/s.</param>
+    public readonly double SlowingOf(in SurfaceForces on, double speed) => Rolls ? MostRolling(in on, speed) : SlipFriction(in on);
+
     /// <summary>Returns the deceleration of the slip by friction, m/s².</summary>
-    public readonly double SlipFriction(in SurfaceForces on) => (1.0 + (1.0 / World.Ball.InertiaFactor)) * SlidingFriction(in on);
+    public readonly double SlipFriction(in SurfaceForces on) => (1.0 + (1.0 / World.Ball.InertiaFactor)) * MostFriction(in on);
 
     /// <summary>Returns the tangential part of ṅ × ω, rad/s²: if the normal turns, spin about it becomes slip.</summary>
     public static Vector3d SlipTurn(in SurfaceForces on, in Vector3d spin) => Vector3d.Dot(in spin, in on.Normal) * Vector3d.Cross(in on.Turning, in on.Normal);
@@ -351,7 +347,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Vector3d slip = FollowsPush ? SlipPush(in on, in at.Spin) : SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
-        double friction = SlidingFriction(in on);
+        double friction = MostFriction(in on);
 
         // If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
@@ -388,7 +384,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
             : Drive(in on)
                 + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
-                - (RollingFriction(in on, speed) * direction);
+                - (MostRolling(in on, speed) * direction);
 
         // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
@@ -400,7 +396,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
     private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;
-        double drilling = SpinSign * Material.DrillingLength * Material.SlidingFriction * on.Load * World.Ball.Mass / inertia;
-        return (-Material.SpinDamping / inertia * about) - drilling;
+        double drilling = SpinSign * Material.Resistance.MostDrilling(on.Load) * World.Ball.Mass / inertia;
+        return (-Material.Resistance.Damping / inertia * about) - drilling;
     }
 }

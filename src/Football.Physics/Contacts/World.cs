@@ -58,7 +58,7 @@ internal sealed partial class World
         {
             foreach (ContactMaterial material in Ignores(collider) ? [] : collider.Materials)
             {
-                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
+                LargestFriction = Math.Max(LargestFriction, material.Resistance.MostFriction(1));
             }
         }
 

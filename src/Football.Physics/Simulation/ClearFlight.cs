@@ -55,7 +55,7 @@ internal sealed class ClearFlight
         _ordinary = ordinary;
         _weight = weight;
         _shareInPath = Math.Max(0.5, shareInPath);
-        _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
+        _friction = world.Ground is { } ground ? ground.Materials.Max(material => material.Resistance.Largest) : 0;
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Ignores) : null;
 
         // Hash all inputs of the result, so that a state moved to another scene does not keep its clear time.

@@ -84,13 +84,11 @@ internal sealed class ContactLoad
         Collider carrier = _world.CarrierOf(in s);
         SurfaceSystem system = System(in s, carrier);
         var motion = new Motion(s.Position, in velocity, in spin);
-        SurfaceForces on = system.ForcesOn(s.Time, in motion);
-        Vector3d slip = system.SlipOf(in motion, in on);
-        double size = slip.Length;
-        double speed = on.Rolling.Length;
-        Vector3d acceleration = size >= ContactTolerances.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
-            : speed > 0 ? system.Drive(in on) - (system.RollingFriction(in on, speed) / speed * on.Rolling)
-            : Vector3d.Zero;
+        system.Look(s.Time, in motion);
+        Vector3d slip = system.SlipOf(in motion, in system.Forces);
+        system.Rolls = slip.Length < ContactTolerances.Rolling;
+        system.Direction = system.Rolls ? system.Forces.Rolling : slip;
+        Vector3d acceleration = system.Direction == Vector3d.Zero ? Vector3d.Zero : system.RatesAt(in motion).Acceleration;
         Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
         return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
     }

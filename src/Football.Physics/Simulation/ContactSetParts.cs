@@ -17,10 +17,6 @@ internal sealed partial class ContactSetParts
     /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
     private const int MostParts = 16;
 
-    /// <summary>Maximum number of slide and roll events per step.</summary>
-    /// <remarks>A ball that alternately slips and grips would report an event in every part.</remarks>
-    private const int MostNames = 2;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly Rest _rest;
@@ -56,7 +52,6 @@ internal sealed partial class ContactSetParts
 
         double part = LengthOfPart(in run, Part);
         bool taken = false;
-        int changes = 0;
         while (run.TakesParts(_world))
         {
             // Find the touched surfaces; the solver then determines which of them have a load.
@@ -109,7 +104,7 @@ internal sealed partial class ContactSetParts
             }
 
             Move(ref s, ref run, set, ref next);
-            Name(ref s, set, ref changes, ref run);
+            Name(ref s, set, ref run);
             last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);
             before = set.Length;
@@ -290,35 +285,17 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Updates the carrier and the motion state.</summary>
-    /// <remarks>The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
-    /// The ball slides if the carrier slips; otherwise it rolls.</remarks>
-    private void Name(ref BallState s, scoped Span<Contact> set, ref int changes, ref StepRun run)
+    private void Name(ref BallState s, scoped Span<Contact> set, ref StepRun run)
     {
         int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
-        if (named < 0)
+        if (named >= 0)
         {
-            return;
-        }
-
-        ref readonly Contact contact = ref set[named];
-        s.Carrier = contact.Collider + _world.FirstCollider;
-        Collider collider = _world.ByIndex[contact.Collider];
-        double slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(collider, s.Position, in contact.Normal, s.Time), s.Spin, in contact.Normal, _around.Radius).Length;
-        if (changes >= MostNames)
-        {
-            return;
-        }
-
-        // Hysteresis: a slip starts at a higher threshold than it ends, so that a small slip does not toggle from part to part.
-        if (slip < ContactTolerances.Rolling && s.Motion != MotionState.Rolling)
-        {
-            changes++;
-            _contact.StartRolling(ref s, ref run);
-        }
-        else if (slip > ContactTolerances.ReportedSlip && s.Motion == MotionState.Rolling)
-        {
-            changes++;
-            _contact.StartSliding(ref s, ref run);
+            // Hysteresis: a slip starts at a higher threshold than it ends, so that a small slip does not toggle from part to part.
+            ref readonly Contact contact = ref set[named];
+            Vector3d surface = _world.SurfaceVelocity(_world.ByIndex[contact.Collider], s.Position, in contact.Normal, s.Time);
+            double slip = Slip.Of(s.Velocity - surface, s.Spin, in contact.Normal, _around.Radius).Length;
+            bool rolls = slip < ContactTolerances.Rolling || (s.Motion == MotionState.Rolling && slip <= ContactTolerances.ReportedSlip);
+            _contact.Name(ref s, contact.Collider, rolls, ref run);
         }
     }
 

@@ -26,12 +26,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>After this many pieces, a turning slip ends at the larger tolerance.</summary>
     private const int ManyPieces = 24;
 
-    /// <summary>Maximum rotation of a normal per piece, rad.</summary>
-    private const double LargestTurn = 0.05;
-
-    /// <summary>Maximum number of slide and roll events per step.</summary>
-    private const int MostNames = 2;
-
     /// <summary>Maximum number of checks per step of whether friction holds a ball that rolling resistance cannot hold.</summary>
     private const int MostGrips = 4;
 
@@ -40,7 +34,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly DragJumpGuard _jump;
-    private readonly StabilityLimit _limit;
+    private readonly PieceLength _length;
     private readonly NetGuard _nets;
     private readonly Rest _rest;
     private readonly ContactSetParts _parts;
@@ -50,7 +44,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         _around = around;
         _world = around.World;
-        _limit = limit;
+        _length = new PieceLength(around, in limit);
         _jump = jump;
         _guard = guard;
         _contact = contact;
@@ -147,7 +141,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         SetContact* contacts = system.Contacts;
         for (int i = 0; i < set.Length; i++)
         {
-            contacts[i].Prepare(in set[i], _world.ByIndex[set[i].Collider], _world.Ball);
+            contacts[i].Prepare(in set[i], _world.ByIndex[set[i].Collider]);
         }
 
         piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -276,7 +270,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Updates the carrier, and handles the contact at the end of a piece.</summary>
     private void Respond(ref BallState s, ref StepRun run, Span<Contact> set, in SetPiece piece)
     {
-        Name(ref s, set, in piece.System, ref run);
+        int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
+        if (named >= 0)
+        {
+            _contact.Name(ref s, set[named].Collider, piece.System.Contacts[named].Sticks, ref run);
+        }
+
         if (piece.Meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in piece.Met, ref run);
@@ -311,23 +310,18 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Returns the longest piece that stability, nets, turning slips and turning normals allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in ContactSystem system, ref StepRun run)
     {
-        double requested = run.Next;
         double damping = 0;
-        double gain = 0;
+        double slowing = 0;
         double turning = 0;
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
-            damping = Math.Max(damping, contact.Damping);
-            gain += contact.Bears && !contact.Sticks ? requested * contact.Sliding * contact.Load : 0;
+            damping = Math.Max(damping, contact.Resistance.Damping);
+            slowing += contact.Bears && !contact.Sticks ? contact.Resistance.MostFriction(contact.Load) : 0;
             turning = Math.Max(turning, contact.Turning.Length);
         }
 
-        double h = _limit.PartOf(
-            ref _around.Air, requested, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
-        h = turning * h > LargestTurn ? LargestTurn / turning : h;
-        h = Math.Min(h, _nets.LongestPiece(in s, h));
-        run.Keep(h, requested);
+        double h = _length.Longest(in s, in from, damping, slowing, turning, ref run);
         return ShortenForSlips(in system, in from, h, run.Length);
     }
 
@@ -338,7 +332,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         {
             ref readonly SetContact contact = ref system.Contacts[i];
             double size = contact.Slip.Length;
-            if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
+            if (contact.Bears && !contact.Sticks && contact.Resistance.Rubs && size > 0)
             {
                 Vector3d rate = contact.SlipRate(in system.Start, from.Spin, _around.Radius);
                 h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.Turning.Length);
@@ -346,38 +340,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         return h;
-    }
-
-    /// <summary>Updates the carrier and the motion state.</summary>
-    /// <remarks>
-    /// The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
-    /// The ball slides if the carrier slips; otherwise it rolls.
-    /// </remarks>
-    private void Name(ref BallState s, Span<Contact> set, in ContactSystem system, ref StepRun run)
-    {
-        int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
-        if (named < 0)
-        {
-            return;
-        }
-
-        ref readonly SetContact contact = ref system.Contacts[named];
-        s.Carrier = contact.Collider + _world.FirstCollider;
-        bool rolls = contact.Sticks;
-        if (rolls == (s.Motion == MotionState.Rolling) || run.Named >= MostNames)
-        {
-            return;
-        }
-
-        run.Named++;
-        if (rolls)
-        {
-            _contact.StartRolling(ref s, ref run);
-        }
-        else
-        {
-            _contact.StartSliding(ref s, ref run);
-        }
     }
 }
 

@@ -8,25 +8,25 @@ namespace FootballPhysics.Simulation;
 internal readonly struct PlaneMaterial(in ContactMaterial of, BallProperties ball)
 {
     /// <summary>μ_s.</summary>
-    public readonly double Sliding = of.SlidingFriction;
+    public readonly double Sliding = of.Resistance.Sliding;
 
     /// <summary>μ_s/(α r), 1/m: the angular acceleration per load and mass.</summary>
-    public readonly double SlidingTorque = of.SlidingFriction / (ball.InertiaFactor * ball.Radius);
+    public readonly double SlidingTorque = of.Resistance.Sliding / (ball.InertiaFactor * ball.Radius);
 
     /// <summary>(1 + 1/α) μ_s: the rate at which friction alone ends the slip, per load and mass.</summary>
-    public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.SlidingFriction;
+    public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.Resistance.Sliding;
 
     /// <summary>c₀.</summary>
-    public readonly double Rolling = of.RollingFriction;
+    public readonly double Rolling = of.Resistance.Rolling;
 
     /// <summary>c₁, s/m.</summary>
-    public readonly double RollingBySpeed = of.RollingFrictionBySpeed;
+    public readonly double RollingBySpeed = of.Resistance.RollingBySpeed;
 
     /// <summary>b μ_s m/I, 1/m.</summary>
-    public readonly double Drilling = of.DrillingLength * of.SlidingFriction * ball.Mass / ball.MomentOfInertia;
+    public readonly double Drilling = of.Resistance.Drilling * ball.Mass / ball.MomentOfInertia;
 
     /// <summary>c_ω/I, 1/s.</summary>
-    public readonly double Damping = of.SpinDamping / ball.MomentOfInertia;
+    public readonly double Damping = of.Resistance.Damping / ball.MomentOfInertia;
 }
 
 /// <summary>The axes of a plane: x and z along the plane, y along its normal. On level ground, they are the world axes.</summary>

@@ -47,9 +47,8 @@ internal sealed class SlideEnd
         double longest = piece.Length;
 
         // First estimate: use the push and the friction at the start.
-        double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
         Vector3d push = system.SlipPush(in on, in piece.From.Spin);
-        double friction = perLoad * on.Load;
+        double friction = system.SlipFriction(in on);
 
         // On a curved surface, the push changes with the position: allow only a very short end.
         double most = on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
@@ -64,13 +63,13 @@ internal sealed class SlideEnd
         double turning = system.AboutRate(in on, in piece.From);
         stop.Start = on.Body + on.Air - (on.Centripetal * on.Normal);
         var decay = new SlipDecay(in slip, in push, friction);
-        stop.End = MotionAt(in s, in piece, in decay, system.SlidingFriction(in on), in stop.Start, in stop.Start, about + (decay.Time * turning));
+        stop.End = MotionAt(in s, in piece, in decay, system.MostFriction(in on), in stop.Start, in stop.Start, about + (decay.Time * turning));
 
         // Second estimate: use the means of both ends, which leave only a higher-order error in the end time.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in stop.End);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there, in stop.End.Spin);
-        double endFriction = perLoad * there.Load;
+        double endFriction = system.SlipFriction(in there);
         double change = (endPush - push).Length * (endPush.Length + push.Length);
         double loadChange = endFriction - friction;
 
@@ -90,7 +89,7 @@ internal sealed class SlideEnd
         }
 
         Vector3d last = there.Body + there.Air - (there.Centripetal * there.Normal);
-        double sliding = 0.5 * system.Material.SlidingFriction * (on.Load + there.Load);
+        double sliding = 0.5 * (system.MostFriction(in on) + system.MostFriction(in there));
         double lastTurning = system.AboutRate(in there, in stop.End);
         about += 0.5 * t * (turning + lastTurning);
         stop.End = MotionAt(in s, in piece, in decay, sliding, in stop.Start, in last, about);

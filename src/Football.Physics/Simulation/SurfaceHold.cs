@@ -39,7 +39,7 @@ internal sealed class SurfaceHold
         double carried = Vector3d.Dot(system.Carrier.Spin, in n);
 
         // Friction, damping and decay end the spin about the normal relative to the carrier, but never reverse it.
-        bool brakesAlone = system.Material.DrillingLength > 0 || (_brakesAlone && system.Carrier == _world.Ground);
+        bool brakesAlone = system.Material.Resistance.Drills || (_brakesAlone && system.Carrier == _world.Ground);
         double kept = system.AboutCarrier(in system.StartSpin, in n) * (about - carried) < 0 && brakesAlone ? carried : about;
         Vector3d surface = _world.SurfaceVelocity(system.Carrier, s.Position, in n, s.Time);
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - surface, kept, in n, _world.Ball.Radius)

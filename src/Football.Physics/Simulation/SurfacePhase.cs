@@ -19,9 +19,6 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
     private const int ManyPieces = 32;
 
-    /// <summary>Maximum rotation of the normal per piece, rad.</summary>
-    private const double LargestTurn = 0.05;
-
     /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the step.</summary>
     /// <remarks>
     /// Its direction then turns to that of the push almost at once; in usual steps the ball moves less than 1e-8 m meanwhile.
@@ -36,7 +33,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     private readonly Surroundings _around;
     private readonly World _world;
-    private readonly StabilityLimit _limit;
+    private readonly PieceLength _length;
     private readonly DragJumpGuard _jump;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
@@ -55,7 +52,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _around = around;
         _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
         _world = around.World;
-        _limit = limit;
+        _length = new PieceLength(around, in limit);
         _jump = jump;
         _guard = guard;
         _contact = contact;
@@ -182,7 +179,8 @@ internal sealed class SurfacePhase<TIntegrator>
         piece.System.LocksDirection &= !piece.System.FollowsPush;
 
         // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
-        piece.Length = LongestPiece(in s, in piece.From, in piece.System.Forces, ref run);
+        piece.Length = _length.Longest(
+            in s, in piece.From, piece.System.Material.Resistance.Damping, rolls ? 0 : piece.System.MostFriction(in piece.System.Forces), piece.System.Forces.Turning.Length, ref run);
         piece.Start = piece.System.RatesAt(in piece.From);
         piece.System.NetsSlack = _nets.SlackAt(in s, piece.Start.Acceleration);
         return piece.Size < ContactTolerances.Rolling || FollowsDirection(ref s, ref run, ref piece, in moving);
@@ -194,7 +192,7 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         ref SurfaceSystem system = ref piece.System;
         drive = system.Drive(in piece.System.Forces) - piece.System.Forces.MaterialRate;
-        double friction = system.RollingFriction(in piece.System.Forces, 0);
+        double friction = system.MostRolling(in piece.System.Forces, 0);
         bool held = drive.Length <= friction;
         if (system.Rests(in piece.System.Forces) && _rest.IsSlow(in piece.From, system.Carrier, s.Time))
         {
@@ -234,25 +232,23 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         ref SurfaceSystem system = ref piece.System;
         bool rolls = system.Rolls;
-        double sliding = system.SlidingFriction(in piece.System.Forces);
-        double most = rolls ? system.RollingFriction(in piece.System.Forces, piece.Size) : sliding;
+        double turned = system.SlowingOf(in piece.System.Forces, piece.Size);
         Vector3d rate = rolls ? piece.Start.Acceleration + (piece.System.Forces.Centripetal * piece.System.Forces.Normal) - piece.System.Forces.MaterialRate
             : system.SlipRate(in piece.System.Forces, in piece.Start, in piece.From.Spin);
 
         // Near the end of a slip, its direction turns ever faster: use the closed form there.
         SlideStop stop = default;
-        if (!rolls && _endsSlipExactly && sliding > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out stop))
+        if (!rolls && _endsSlipExactly && turned > 0 && _slideEnd.Find(in s, ref run, in piece, in moving, out stop))
         {
             EndSlip(ref s, ref run, in piece, in stop);
             return false;
         }
 
-        double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _world.Ball.InertiaFactor));
         if (s.Nets != 0)
         {
             // The parts of the piece follow the direction, so only end the piece before the slip or the roll ends.
             system.Reference = rolls ? piece.From.Velocity - piece.System.Forces.Rolling : piece.System.Forces.Surface;
-            system.Friction = turned;
+            system.Slowing = turned;
             piece.Length = stop.Before > 0 ? Math.Min(piece.Length, stop.Before) : TurnLimit.Close(piece.Length, system.Direction, piece.Size, in rate);
             system.ShortestPart = ShortestPart * piece.Length;
             return true;
@@ -266,7 +262,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
-        h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
+        h = turned > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
         piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
         piece.Start = system.LocksDirection ? system.RatesAt(in piece.From) : piece.Start;
         return true;
@@ -356,7 +352,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // The thesis' heuristic checks for the end of a slide only at the end of a piece.
-        if (!_endsSlipExactly && piece.System.SlidingFriction(in piece.System.Forces) > 0 && s.Motion == MotionState.Sliding && !piece.System.Rolls && !run.Log.Halted)
+        if (!_endsSlipExactly && piece.System.SlipFriction(in piece.System.Forces) > 0 && s.Motion == MotionState.Sliding && !piece.System.Rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, piece.Size);
         }
@@ -398,34 +394,14 @@ internal sealed class SurfacePhase<TIntegrator>
         _hold.Hold(ref s, in piece.System, -1);
         if (run.Log.IsWatched)
         {
-            Vector3d acceleration = stop.Start - (piece.System.SlidingFriction(in piece.System.Forces) * piece.System.Direction);
-            Vector3d atEnd = Extrapolate.Rate(in piece.From.Velocity, s.Velocity, in acceleration, stop.Time);
-            run.Log.Show(in before, in s, in acceleration, in atEnd, default(TIntegrator).Order);
+            Vector3d atEnd = Extrapolate.Rate(in piece.From.Velocity, s.Velocity, in piece.Start.Acceleration, stop.Time);
+            run.Log.Show(in before, in s, in piece.Start.Acceleration, in atEnd, default(TIntegrator).Order);
         }
 
         if (!run.Log.Halted && (stop.Grips || NetGuard.KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
         }
-    }
-
-    /// <summary>Returns the longest piece that stability, nets, borders and the turning normal allow, s.</summary>
-    private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
-    {
-        double requested = run.Next;
-        Collider carrier = _world.CarrierOf(in s);
-        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
-        double gain = s.Motion == MotionState.Sliding ? requested * material.SlidingFriction * on.Load : 0;
-        double h = _limit.PartOf(
-            ref _around.Air, requested, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _world.Ball.MomentOfInertia, gain);
-
-        // |ṅ| h bounds the rotation of the normal. Nets and the narrowest material border also limit the piece.
-        double turning = on.Turning.Length;
-        h = turning * h > LargestTurn ? LargestTurn / turning : h;
-        h = Math.Min(h, _nets.LongestPiece(in s, h));
-        h = SurfaceBorder.LongestPiece(carrier, on.Velocity.Length, h);
-        run.Keep(h, requested);
-        return h;
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -438,7 +414,7 @@ internal sealed class SurfacePhase<TIntegrator>
         system.Rolls = rolls;
         system.StartSpin = from.Spin;
         system.IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat;
-        system.IsFlat = (system.IsFace || (carrier.IsPlane && !carrier.Rotates)) && carrier.Spin == Vector3d.Zero;
+        system.IsFlat = system.IsFace || (carrier.IsPlane && !carrier.Rotates);
         system.FaceNormal = at.Normal;
         system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
     }

@@ -10,6 +10,10 @@ internal sealed partial class WorldContact
     /// <summary>After this many hits by movers in a step, each further hit may squeeze the ball.</summary>
     private const int MostHits = 8;
 
+    /// <summary>Maximum number of slide and roll events per step of a ball on several surfaces.</summary>
+    /// <remarks>A ball that alternately slips and grips would report an event in every part.</remarks>
+    private const int MostNames = 2;
+
     private readonly World _world;
     private readonly ContactLoad _load;
     private readonly Rest _rest;
@@ -87,6 +91,26 @@ internal sealed partial class WorldContact
 
     /// <summary>Makes a surface the carrier without an impact: the ball touches it, presses on it, and does not close on it.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
+
+    /// <summary>Makes one of several contacts the carrier. The ball rolls if it has no slip there; otherwise it slides.</summary>
+    public void Name(ref BallState s, int collider, bool rolls, ref StepRun run)
+    {
+        s.Carrier = collider + _world.FirstCollider;
+        if (rolls == (s.Motion == MotionState.Rolling) || run.Named >= MostNames)
+        {
+            return;
+        }
+
+        run.Named++;
+        if (rolls)
+        {
+            StartRolling(ref s, ref run);
+        }
+        else
+        {
+            StartSliding(ref s, ref run);
+        }
+    }
 
     /// <summary>Ends a slip: the ball rolls if friction can hold it.</summary>
     public void EndSlip(ref BallState s, ref StepRun run)

@@ -45,7 +45,6 @@ internal sealed partial class BallPile
     private PileContact With(in Contact near, int index, in PileMember member, in BallState s, double h)
     {
         Collider collider = _simulators[member.Ball].World.ByIndex[near.Collider];
-        ref readonly ContactMaterial material = ref near.Material;
         return new PileContact
         {
             First = index,
@@ -61,11 +60,7 @@ internal sealed partial class BallPile
             Gap = Math.Max(0, near.Gap),
             NormalMass = 1.0 / member.PerMass,
             SlipMass = 1.0 / (member.PerMass + (member.Radius * member.Radius * member.PerInertia)),
-            Friction = material.SlidingFriction,
-            RollingFriction = material.RollingFriction,
-            RollingFrictionBySpeed = material.RollingFrictionBySpeed,
-            SpinDamping = material.SpinDamping,
-            DrillingLength = material.DrillingLength,
+            Resistance = near.Material.Resistance,
         };
     }
 
@@ -85,8 +80,7 @@ internal sealed partial class BallPile
             NormalMass = 1.0 / perMass,
             SlipMass = 1.0 / (perMass + (a.Radius * a.Radius * a.PerInertia) + (b.Radius * b.Radius * b.PerInertia)),
             TwistMass = 1.0 / (a.PerInertia + b.PerInertia),
-            Friction = _friction,
-            DrillingLength = Math.Max(LeastDrilling, _contact.DrillingLength),
+            Resistance = _resistance,
         };
     }
 

@@ -33,8 +33,7 @@ internal sealed partial class BallPile
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;
-    private readonly ContactMaterial _contact;
-    private readonly double _friction;
+    private readonly Resistance _resistance;
     private readonly PileSolver _solver = new();
     private readonly PileBounces _bounces;
     private readonly PileOverlaps _overlaps;
@@ -52,8 +51,7 @@ internal sealed partial class BallPile
     public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction)
     {
         _simulators = simulators;
-        _contact = contact;
-        _friction = friction;
+        _resistance = new Resistance(friction, 0, 0, 0, Math.Max(LeastDrilling, contact.Resistance.Patch));
         _bounces = new PileBounces(simulators, _solver, in contact);
         _overlaps = new PileOverlaps(simulators, _solver);
     }

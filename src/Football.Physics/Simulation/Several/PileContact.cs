@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Simulation;
 
 /// <summary>A contact of a pile: of two of its balls, or of a ball with another object.</summary>
@@ -40,16 +42,8 @@ internal struct PileContact
     /// <summary>1/(1/I₁ + 1/I₂) of two balls, kg m².</summary>
     public double TwistMass;
 
-    /// <summary>μ_s.</summary>
-    public double Friction;
-
-    /// <summary>c₀, c₁ and c_ω of the collider.</summary>
-    public double RollingFriction;
-    public double RollingFrictionBySpeed;
-    public double SpinDamping;
-
-    /// <summary>b, m.</summary>
-    public double DrillingLength;
+    /// <summary>The resistance of the collider, or of the other ball.</summary>
+    public Resistance Resistance;
 
     /// <summary>J_n, N s.</summary>
     public double Load;

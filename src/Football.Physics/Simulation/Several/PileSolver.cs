@@ -276,7 +276,7 @@ internal sealed class PileSolver
         // J_t: the impulse that stops the slip s, limited by friction.
         Vector3d slip = relative - (rate * n) - Vector3d.Cross(in turning, in n);
         Vector3d rub = contact.Rub - (contact.SlipMass * slip);
-        double most = FrictionLaw.Limit(contact.Friction, load);
+        double most = contact.Resistance.MostFriction(load);
         double square = rub.LengthSquared;
         contact.Sticks = square <= most * most;
         if (!contact.Sticks)
@@ -292,7 +292,7 @@ internal sealed class PileSolver
             // About the normal: the impulse that stops the relative spin, at most b μ J_n.
             double about = Vector3d.Dot(a.W - Members[contact.Second].W, in n);
             double twist = contact.Twist - (contact.TwistMass * about);
-            double mostTwist = contact.DrillingLength * most;
+            double mostTwist = contact.Resistance.MostDrilling(load);
             twist = Math.Max(-mostTwist, Math.Min(twist, mostTwist));
             double twisted = twist - contact.Twist;
             contact.Twist = twist;
@@ -362,15 +362,15 @@ internal sealed class PileSolver
 
         // About the normal: damping gives ω_n/(1 + c_ω h/I); then drilling friction reduces it by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in ball.W, in n);
-        double damped = (about - ball.Drilling) / (1.0 + (h * contact.SpinDamping * ball.PerInertia));
-        double most = contact.DrillingLength * FrictionLaw.Limit(contact.Friction, perLoad);
+        double damped = (about - ball.Drilling) / (1.0 + (h * contact.Resistance.Damping * ball.PerInertia));
+        double most = contact.Resistance.MostDrilling(perLoad);
         double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
         double drilled = kept - about;
         ball.Drilling += drilled;
 
         // Across the normal, if the contact sticks: the rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the roll.
-        double share = contact.RollingFriction + (contact.RollingFrictionBySpeed * (ball.V - contact.Velocity).Length);
-        double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * share * ball.Radius * perLoad : 0;
+        double mostRolling = contact.Resistance.MostRolling(perLoad, (ball.V - contact.Velocity).Length);
+        double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * ball.Radius * mostRolling : 0;
         Vector3d rolling = ball.W - (about * n) - ball.Rolling;
         double size = rolling.Length;
         Vector3d resisted = size > resistance ? -(resistance / size) * rolling : -rolling;
