@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.State;
 
 namespace FootballPhysics.Contacts;
 

@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;
 

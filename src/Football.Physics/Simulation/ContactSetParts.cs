@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Numerics;
-using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;
 

@@ -110,7 +110,9 @@ internal readonly struct ZoneSearch
     private double Nearest(double from, double to, bool endsInside)
     {
         var gap = new BorderGap(in this, from, to < from ? -1 : 1);
-        double way = TimeOfImpact.First(ref gap, new SearchSpan(Math.Abs(to - from), double.PositiveInfinity));
+        long evaluations = 0;
+        double way = TimeOfImpact.First(ref gap, new SearchSpan(Math.Abs(to - from), double.PositiveInfinity), ref evaluations);
+        _log.SearchEvaluations += evaluations;
         return way < double.PositiveInfinity ? Locate(gap.Outside, gap.At(way))
             : endsInside ? Locate(gap.Outside, to)
             : way;
