@@ -12,7 +12,7 @@ internal static class BallsLab
     /// <summary>A speed above the drag crisis of every ball, at which spin was measured, m/s.</summary>
     private const double SpinSpeed = 28;
 
-    /// <summary>Points that the sources of measured.md give one by one; the others are in the fit only.</summary>
+    /// <summary>Measured points that their sources give one by one; the fit alone has the others.</summary>
     private static readonly (string Source, double Spin, double Lift)[] PublishedPoints =
     [
         ("Asai 2007", 0.05, 0.05), ("Kiratidis & Leinweber, Teamgeist", 0.06, 0.15), ("Mencke, by a filmed flight", 0.25, 0.45),

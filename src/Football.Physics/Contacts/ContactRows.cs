@@ -5,7 +5,7 @@ namespace FootballPhysics.Contacts;
 /// <summary>The linear system of the forces of a contact set: G x = b, with a few unknowns.</summary>
 /// <remarks>
 /// If the solution is not unique, as for a ball that sticks to both sides of a gutter, it takes the one with the least sum of squares
-/// (several.md, 2).
+/// (contact.md, Several contacts).
 /// </remarks>
 internal static unsafe class ContactRows
 {

@@ -3,7 +3,7 @@ using FootballPhysics.State;
 
 namespace FootballPhysics.Contacts;
 
-/// <summary>A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set).</summary>
+/// <summary>A ball on several surfaces at once, with the contacts and their modes locked (contact.md, Several contacts).</summary>
 /// <remarks>
 /// With n, ṅ, V_c and A of each contact: v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r).
 /// An active contact keeps touching: n·v̇ = −(qᵀHq − A_s·n). A sticking one keeps zero slip: (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0.

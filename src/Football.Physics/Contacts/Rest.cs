@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Contacts;
 
-/// <summary>Determines whether a ball rests: whether it is slow enough, and whether its contacts or a net hold it (contacts.md, Rest).</summary>
+/// <summary>Determines whether a ball rests: whether it is slow enough, and whether its contacts or a net hold it (contact.md, Rest).</summary>
 internal sealed unsafe class Rest
 {
     /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
@@ -142,7 +142,7 @@ internal sealed unsafe class Rest
             || (mayGrip && Grips(ref system, s.Time, in still, (int)s.Carrier - _world.FirstCollider, ref evaluations));
     }
 
-    /// <summary>True if rolling resistance holds a ball against a push (several.md, Rest): the part that no load can take is at most (1 + α) c₀ N, with N
+    /// <summary>True if rolling resistance holds a ball against a push (contact.md, Rest): the part that no load can take is at most (1 + α) c₀ N, with N
     /// the greatest load.</summary>
     private static bool Resists(in ContactSystem system, in Vector3d push)
     {

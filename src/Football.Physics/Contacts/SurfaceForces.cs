@@ -84,7 +84,7 @@ internal struct SurfaceForces
         on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
     }
 
-    /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
+    /// <summary>Adds the terms of a rotating carrier (contact.md, Surfaces that move).</summary>
     private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {
         Vector3d n = on.Normal;

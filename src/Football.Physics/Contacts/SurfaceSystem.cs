@@ -4,7 +4,7 @@ using FootballPhysics.State;
 
 namespace FootballPhysics.Contacts;
 
-/// <summary>The equations of a ball that slides or rolls on a surface (world.md, Carried by any surface).</summary>
+/// <summary>The equations of a ball that slides or rolls on a surface (contact.md, One contact).</summary>
 /// <remarks>
 /// Symbols: n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p the velocities of the carrier's material at
 /// the

@@ -19,8 +19,8 @@ internal sealed class ContactLoad
         _weight = around.Weight.Length;
     }
 
-    /// <summary>True if a ball that leaves a surface after an impact stays on it, because a force presses it back at once (world.md, After
-    /// the impact).</summary>
+    /// <summary>True if a ball that leaves a surface after an impact stays on it, because a force presses it back at once (contact.md,
+    /// Impacts).</summary>
     /// <param name="s">The ball before.</param>
     /// <param name="off">w, m/s.</param>
     /// <param name="velocity">Its velocity along the surface, m/s.</param>

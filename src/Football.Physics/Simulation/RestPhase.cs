@@ -5,7 +5,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Simulation;
 
 /// <summary>
-/// Steps a ball at rest: checks that its contacts still hold it (world.md, Rest is a condition), and moves it along with its carrier up to
+/// Steps a ball at rest: checks that its contacts still hold it (contact.md, Rest), and moves it along with its carrier up to
 /// the first hit.
 /// </summary>
 internal sealed class RestPhase

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Simulation;
 
-/// <summary>The counters that bound the work of a ball's step (contacts.md, Bounds).</summary>
+/// <summary>The counters that bound the work of a ball's step (contact.md, Limits of the work).</summary>
 /// <remarks>A step that is taken in several calls keeps the counters between the calls.</remarks>
 internal struct StepBudget
 {

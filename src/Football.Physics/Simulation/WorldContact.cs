@@ -138,8 +138,8 @@ internal sealed partial class WorldContact
         s.Motion = MotionState.Rolling;
     }
 
-    /// <summary>Handles a velocity jump of the carrier since the last step: the ball keeps its velocity, and slips (world.md, On a
-    /// carrier).</summary>
+    /// <summary>Handles a velocity jump of the carrier since the last step: the ball keeps its velocity, and slips (contact.md,
+    /// Surfaces that move).</summary>
     public void TakeJump(ref BallState s, ref StepRun run)
     {
         if (s.Motion != MotionState.Rolling || !_world.CarrierOf(in s).Moves)
@@ -159,7 +159,7 @@ internal sealed partial class WorldContact
     }
 
     /// <summary>Hands the ball over to a flush surface.</summary>
-    /// <remarks>If its velocity differs, a rolling ball slips: v and ω stay (world.md, Flush).</remarks>
+    /// <remarks>If its velocity differs, a rolling ball slips: v and ω stay (contact.md, Several contacts).</remarks>
     public void HandOver(ref BallState s, int collider, ref StepRun run)
     {
         if (collider == s.Carrier - _world.FirstCollider)

@@ -137,7 +137,7 @@ internal sealed class BallRests
         return key.Value << 1;
     }
 
-    /// <summary>True if balls can rest on a surface: it is stationary in this step, and the ball is not inside it (contacts.md,
+    /// <summary>True if balls can rest on a surface: it is stationary in this step, and the ball is not inside it (contact.md,
     /// Rest).</summary>
     /// <param name="contact">The contact with the surface.</param>
     /// <param name="collider">Its object.</param>
