@@ -75,7 +75,7 @@ internal static class ContactSolver
         Begin(set, ball, ref v, ref w);
         bool isLarge = set.Length > MostByNewton;
         Span<Contact> kept = stackalloc Contact[isLarge ? 0 : set.Length];
-        var resistance = new TurningResistance { Bearer = -1 };
+        TurningResistance resistance = TurningResistance.None;
         var before = new Guess { Change = double.PositiveInfinity };
         double change = double.PositiveInfinity;
         int between = RoundsBetween;
@@ -127,7 +127,7 @@ internal static class ContactSolver
     public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
     {
         Begin(set, ball, ref v, ref w);
-        var resistance = new TurningResistance { Bearer = -1 };
+        TurningResistance resistance = TurningResistance.None;
         for (int round = 0; round < RoundsInVain; round++)
         {
             if (Round(set, ball, duration, ref resistance, ref v, ref w) <= ContactTolerances.Settled)
@@ -161,9 +161,24 @@ internal static class ContactSolver
             scale += contact.Load;
         }
 
-        // Rolling resistance and drilling friction act only at the contact with the greatest load.
-        change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
+        change = Math.Max(change, ball.Radius * Resist(set, ball, duration, ref resistance, in v, ref w));
         return change > 0 ? change / scale : 0;
+    }
+
+    /// <summary>Applies rolling resistance, drilling friction and damping at the contact with the greatest load.</summary>
+    /// <returns>Change of the spin, rad/s.</returns>
+    public static double Resist(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, in Vector3d v, ref Vector3d w)
+    {
+        int heaviest = ContactSet.Heaviest(set);
+        resistance.MoveTo(heaviest, heaviest < 0 ? Vector3d.Zero : set[heaviest].Normal, ref w);
+        if (heaviest < 0)
+        {
+            return 0;
+        }
+
+        ref readonly Contact bearer = ref set[heaviest];
+        double mostDrilling = TurningResistance.DrillingPerLoad(in bearer, ball) * bearer.Load;
+        return resistance.Act(TurningResistance.Damping(in bearer, ball, duration), mostDrilling, TurningResistance.MostRolling(in bearer, ball, in v), ref w);
     }
 
     /// <summary>Returns the closing speed of a contact, minus the speed that its gap allows, m/s.</summary>
@@ -218,75 +233,4 @@ internal struct Guess
 
     /// <summary>The last change of the impulses.</summary>
     public double Change;
-}
-
-/// <summary>Rolling and drilling resistance at the contact with the greatest load.</summary>
-internal struct TurningResistance
-{
-    /// <summary>Index of that contact; −1 if none has a load.</summary>
-    public int Bearer;
-
-    /// <summary>Spin removed about the normal, rad/s.</summary>
-    public double Drilling;
-
-    /// <summary>Spin removed from the rolling, rad/s.</summary>
-    public Vector3d Rolling;
-
-    /// <summary>Applies drilling friction b μ_s J_n/I and damping c_ω h/I about the normal, and rolling resistance across it.</summary>
-    /// <remarks>Rolling resistance is (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows the rolling by (c₀ + c₁ |v|) J_n/m.</remarks>
-    /// <returns>Change of the spin, rad/s.</returns>
-    public double Act(Span<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
-    {
-        int heaviest = ContactSet.Heaviest(set);
-
-        // The greatest load is now at another contact: undo the resistance at the old one.
-        if (heaviest != Bearer)
-        {
-            w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
-            Rolling = default;
-            Drilling = 0;
-            Bearer = heaviest;
-        }
-
-        if (heaviest < 0)
-        {
-            return 0;
-        }
-
-        ref readonly Contact contact = ref set[heaviest];
-        Vector3d n = contact.Normal;
-
-        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I; then drilling friction reduces it by at most b μ_s J_n/I.
-        double about = Vector3d.Dot(in w, in n);
-        double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
-        double most = DrillingPerLoad(in contact, ball) * contact.Load;
-        double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
-        double drilled = kept - about;
-        Drilling += drilled;
-        w += drilled * n;
-
-        // Across the normal: the rolling resistance, which is limited by the load and never reverses the roll.
-        double resistance = MostRolling(in contact, ball, in v);
-        Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
-        double size = turning.Length;
-        Vector3d resisted = size > resistance ? -(resistance / size) * turning : -turning;
-        Vector3d more = resisted - Rolling;
-        w += more;
-        Rolling = resisted;
-        return Math.Max(Math.Abs(drilled), more.Length);
-    }
-
-    /// <summary>c_ω h/I.</summary>
-    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.Resistance.Damping / ball.MomentOfInertia;
-
-    /// <summary>Maximum spin that drilling friction removes about the normal per unit of load, rad/s per m/s: b μ_s/(α r²).</summary>
-    public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
-        contact.Material.Resistance.Drilling / (ball.InertiaFactor * ball.Radius * ball.Radius);
-
-    /// <summary>Maximum spin that resistance removes from the rolling, rad/s; zero if the contact slipped before.</summary>
-    public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
-    {
-        double most = contact.Material.Resistance.MostRolling(contact.Load, (v - contact.Velocity).Length);
-        return contact.Rolls ? (1.0 + ball.InertiaFactor) * most / (ball.InertiaFactor * ball.Radius) : 0;
-    }
 }

@@ -38,8 +38,8 @@ internal readonly struct Resistance(double sliding, double rolling, double rolli
     /// <summary>b, m.</summary>
     public readonly double Patch = patch;
 
-    /// <summary>b μ_s, m.</summary>
-    public double Drilling => Patch * Sliding;
+    /// <summary>b μ_s, m; 0 if b is 0 and μ_s infinite.</summary>
+    public double Drilling => Patch > 0 ? Patch * Sliding : 0;
 
     /// <summary>The larger of μ_s and c₀.</summary>
     public double Largest => Math.Max(Sliding, Rolling);

@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Several;
@@ -131,8 +132,8 @@ public sealed class PileSolverTests
             ref readonly PileContact contact = ref solver.Contacts[i];
             double rate = Vector3d.Dot(solver.Members[contact.First].V - solver.Members[contact.Second].V, in contact.Normal);
             Assert.InRange(rate + (contact.Gap / H), -1e-9, double.PositiveInfinity);
-            Assert.InRange(contact.Rub.Length, 0, (contact.Friction * contact.Load) + 1e-12);
-            Assert.InRange(Math.Abs(contact.Twist), 0, (contact.DrillingLength * contact.Friction * contact.Load) + 1e-12);
+            Assert.InRange(contact.Rub.Length, 0, contact.Resistance.MostFriction(contact.Load) + 1e-12);
+            Assert.InRange(Math.Abs(contact.Twist), 0, contact.Resistance.MostDrilling(contact.Load) + 1e-12);
             pressed += contact.Load > 0 ? 1 : 0;
         }
 
@@ -193,7 +194,7 @@ public sealed class PileSolverTests
         solver.Members[0].V = new Vector3d(0, -0.01, 0);
         solver.Members[0].W = new Vector3d(0, 30, 0);
         solver.Members[0].OwnContacts = 1;
-        solver.Add(Ground(0) with { DrillingLength = 0, SpinDamping = Damping });
+        solver.Add(Ground(0) with { Resistance = new Resistance(0.5, 0.07, 0, Damping, 0) });
         solver.Solve(H, 400, 1e-15);
         Assert.Equal(30 / (1 + (Damping * H / Inertia)), solver.Members[0].W.Y, 1e-9);
     }
@@ -209,7 +210,7 @@ public sealed class PileSolverTests
         solver.Members[0].V = new Vector3d(-0.1 * Pull, -Pull, 1);
         solver.Members[0].W = new Vector3d(1 / Radius, 0, 0);
         solver.Members[0].OwnContacts = 2;
-        PileContact wall = Ground(0) with { Normal = new Vector3d(1, 0, 0), Friction = 0, RollingFriction = 0.9 };
+        PileContact wall = Ground(0) with { Normal = new Vector3d(1, 0, 0), Resistance = new Resistance(0, 0.9, 0, 0, 0.02) };
         solver.Add(wallIsFirst ? wall : Ground(0));
         solver.Add(wallIsFirst ? Ground(0) : wall);
         solver.Solve(1e-3, 400, 1e-15);
@@ -293,9 +294,7 @@ public sealed class PileSolverTests
         Normal = Vector3d.Up,
         NormalMass = Mass,
         SlipMass = 1 / ((1 / Mass) + (Radius * Radius / Inertia)),
-        Friction = 0.5,
-        RollingFriction = 0.07,
-        DrillingLength = 0.02,
+        Resistance = new Resistance(0.5, 0.07, 0, 0, 0.02),
     };
 
     private static PileContact Between(int first, int second, Vector3d normal, double gap) => new()
@@ -308,8 +307,7 @@ public sealed class PileSolverTests
         NormalMass = Mass / 2,
         SlipMass = 0.5 / ((1 / Mass) + (Radius * Radius / Inertia)),
         TwistMass = Inertia / 2,
-        Friction = 0.4,
-        DrillingLength = 0.004,
+        Resistance = new Resistance(0.4, 0, 0, 0, 0.004),
     };
 
     private static (Vector3d Momentum, Vector3d Turning, double Energy) Balance(PileSolver solver, Vector3d[] places)

@@ -75,8 +75,7 @@ public sealed class StickingBallsTests
                 NormalMass = Mass / 2,
                 SlipMass = 0.5 / ((1 / Mass) + (0.11 * 0.11 / Inertia)),
                 TwistMass = Inertia / 2,
-                Friction = double.PositiveInfinity,
-                DrillingLength = 0.004,
+                Resistance = new Resistance(double.PositiveInfinity, 0, 0, 0, 0.004),
             });
         }
 

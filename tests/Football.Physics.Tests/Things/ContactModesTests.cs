@@ -75,7 +75,7 @@ public sealed unsafe class ContactModesTests
         Assert.Equal(world.Colliders.Length, set.Length);
         for (int i = 0; i < set.Length; i++)
         {
-            contacts[i].Prepare(in set[i], world.Colliders[set[i].Collider], world.Ball);
+            contacts[i].Prepare(in set[i], world.Colliders[set[i].Collider]);
         }
 
         return new ContactSystem { Around = around, World = world, Contacts = contacts, Count = set.Length, Bearer = -1 };
@@ -249,7 +249,7 @@ public sealed unsafe class ContactModesTests
                 second = i;
             }
 
-            resists |= system.Contacts[i].Rolling > 0 || system.Contacts[i].Drilling > 0;
+            resists |= system.Contacts[i].Resistance.Rolling > 0 || system.Contacts[i].Resistance.Drills;
         }
 
         if (sticking != 2 || (resists && !system.Pinned))
@@ -271,7 +271,7 @@ public sealed unsafe class ContactModesTests
         {
             Vector3d force = Force(in contact, more);
             double load = Vector3d.Dot(force, contact.Normal);
-            return (force - (load * contact.Normal)).Length <= contact.Sliding * load * (1 - 1e-9);
+            return (force - (load * contact.Normal)).Length <= contact.Resistance.MostFriction(load) * (1 - 1e-9);
         }
     }
 

@@ -40,7 +40,7 @@ public sealed class ContactNewtonTests
             for (int k = 0; k < count; k++)
             {
                 ref Contact contact = ref set[k];
-                double most = contact.Material.SlidingFriction * contact.Load;
+                double most = contact.Material.Resistance.MostFriction(contact.Load);
                 Vector3d relative = v - contact.Velocity;
                 Vector3d slip = relative - (Vector3d.Dot(in relative, contact.Normal) * contact.Normal) + (Radius * Vector3d.Cross(contact.Normal, in w));
                 bool bears = contact.Load > 0.2;
@@ -51,7 +51,7 @@ public sealed class ContactNewtonTests
             int gripping = 0;
             for (int k = 0; k < count; k++)
             {
-                gripping += set[k].Load > 0 && set[k].Friction.Length < 0.8 * set[k].Material.SlidingFriction * set[k].Load ? 1 : 0;
+                gripping += set[k].Load > 0 && set[k].Friction.Length < 0.8 * set[k].Material.Resistance.MostFriction(set[k].Load) ? 1 : 0;
             }
 
             if (!plain || gripping > 1)
@@ -153,7 +153,7 @@ public sealed class ContactNewtonTests
         }
 
         int heaviest = ContactSet.Heaviest(set);
-        var resistance = new TurningResistance { Bearer = heaviest };
+        var resistance = new TurningResistance { Bearer = heaviest, Normal = heaviest < 0 ? Vector3d.Zero : set[heaviest].Normal };
         if (heaviest >= 0)
         {
             Vector3d n = set[heaviest].Normal;
@@ -163,7 +163,7 @@ public sealed class ContactNewtonTests
 
             // A round at the answer changes nothing.
             Vector3d again = w;
-            Assert.InRange(ball.Radius * resistance.Act(set, ball, duration, in v, ref again), 0, 1e-6);
+            Assert.InRange(ball.Radius * ContactSolver.Resist(set, ball, duration, ref resistance, in v, ref again), 0, 1e-6);
         }
 
         return resistance;

@@ -98,7 +98,7 @@ public sealed class ContactSolverTests
             for (int k = 0; k < count; k++)
             {
                 ref Contact contact = ref set[k];
-                double most = contact.Material.SlidingFriction * contact.Load;
+                double most = contact.Material.Resistance.MostFriction(contact.Load);
                 Vector3d relative = v - contact.Velocity;
                 double off = Vector3d.Dot(in relative, contact.Normal);
                 double closing = off + (duration > 0 ? Math.Max(0, contact.Gap) / duration : 0);
@@ -138,18 +138,18 @@ public sealed class ContactSolverTests
         Vector3d n = contact.Normal;
         ContactMaterial material = contact.Material;
         double inertia = ball.MomentOfInertia;
-        double drills = material.DrillingLength * material.SlidingFriction * ball.Mass / inertia * contact.Load;
+        double drills = material.Resistance.MostDrilling(contact.Load) * ball.Mass / inertia;
         double free = Vector3d.Dot(in before, in n);
 
         // Damped implicitly, ω/(1 + c h/I), then drilled towards zero.
-        double damped = free / (1 + (material.SpinDamping * duration / inertia));
+        double damped = free / (1 + (material.Resistance.Damping * duration / inertia));
         double expected = Math.Sign(damped) * Math.Max(0, Math.Abs(damped) - drills);
         double spinScale = 20 * close / Radius;
         Assert.Equal(expected, Vector3d.Dot(in after, in n), spinScale);
 
         Vector3d across = taken - (Vector3d.Dot(in taken, in n) * n);
         Vector3d turning = after - (Vector3d.Dot(in after, in n) * n);
-        double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
+        double share = material.Resistance.MostRolling(1, (v - contact.Velocity).Length);
         double most = contact.Rolls ? (1 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * Radius) : 0;
         Assert.InRange(across.Length, 0, most + spinScale);
         if (contact.Rolls && turning.Length > 0.1 && most > 0.01)

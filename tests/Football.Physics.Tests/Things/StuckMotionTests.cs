@@ -117,7 +117,7 @@ public sealed unsafe class StuckMotionTests
         var at = new FootballPhysics.Motion(s.Position, s.Velocity, s.SpinAxis);
         for (int i = 0; i < set.Length; i++)
         {
-            contacts[i].Prepare(in set[i], world.Colliders[set[i].Collider], world.Ball);
+            contacts[i].Prepare(in set[i], world.Colliders[set[i].Collider]);
             contacts[i].Look(world, 0, in at);
         }
 

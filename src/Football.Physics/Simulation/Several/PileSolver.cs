@@ -79,10 +79,10 @@ internal sealed class PileSolver
         {
             // Warm start also of the resistance: without it, the impulses of the last part would be no solution.
             ref PileMember ball = ref Members[i];
-            ball.Bearer = BearerOf(i);
-            ball.Rolling = ball.Bearer < 0 ? Vector3d.Zero : share * ball.Rolling;
-            ball.Drilling = ball.Bearer < 0 ? 0 : share * ball.Drilling;
-            ball.W += ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
+            int bearer = BearerOf(i);
+            ball.Turning = bearer < 0 ? TurningResistance.None
+                : new TurningResistance { Bearer = bearer, Normal = Contacts[bearer].Normal, Rolling = share * ball.Turning.Rolling, Drilling = share * ball.Turning.Drilling };
+            ball.W += ball.Turning.Removed;
         }
 
         for (int i = 0; i < ContactCount; i++)
@@ -112,7 +112,7 @@ internal sealed class PileSolver
 
             for (int i = 0; i < Count; i++)
             {
-                change = Math.Max(change, Members[i].Radius * Resist(ref Members[i], h));
+                change = Math.Max(change, Members[i].Radius * Resist(i, h));
             }
 
             if (slow >= 0 && round % RoundsBetween == RoundsBetween - 1 && Fastest() <= slow)
@@ -332,52 +332,23 @@ internal sealed class PileSolver
 
     /// <summary>Applies rolling resistance and drilling friction at the contact with the greatest load, other than with balls.</summary>
     /// <returns>Change of the spin, rad/s.</returns>
-    private double Resist(ref PileMember ball, double h)
+    private double Resist(int member, double h)
     {
-        int bearer = -1;
-        double load = 0;
-        for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
-        {
-            bearer = Contacts[i].Load > load * (1.0 + ContactTolerances.SameLoad) ? i : bearer;
-            load = Math.Max(load, Contacts[i].Load);
-        }
-
-        // The greatest load is now at another contact: undo the resistance at the old one.
-        if (bearer != ball.Bearer)
-        {
-            ball.W -= ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
-            ball.Rolling = Vector3d.Zero;
-            ball.Drilling = 0;
-            ball.Bearer = bearer;
-        }
-
+        int bearer = BearerOf(member);
+        ref PileMember ball = ref Members[member];
+        ball.Turning.MoveTo(bearer, bearer < 0 ? Vector3d.Zero : Contacts[bearer].Normal, ref ball.W);
         if (bearer < 0)
         {
             return 0;
         }
 
+        // A contact that slips has no rolling resistance.
         ref readonly PileContact contact = ref Contacts[bearer];
-        Vector3d n = contact.Normal;
         double perLoad = contact.Load * ball.PerInertia;
-
-        // About the normal: damping gives ω_n/(1 + c_ω h/I); then drilling friction reduces it by at most b μ_s J_n/I.
-        double about = Vector3d.Dot(in ball.W, in n);
-        double damped = (about - ball.Drilling) / (1.0 + (h * contact.Resistance.Damping * ball.PerInertia));
-        double most = contact.Resistance.MostDrilling(perLoad);
-        double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
-        double drilled = kept - about;
-        ball.Drilling += drilled;
-
-        // Across the normal, if the contact sticks: the rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the roll.
         double mostRolling = contact.Resistance.MostRolling(perLoad, (ball.V - contact.Velocity).Length);
-        double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * ball.Radius * mostRolling : 0;
-        Vector3d rolling = ball.W - (about * n) - ball.Rolling;
-        double size = rolling.Length;
-        Vector3d resisted = size > resistance ? -(resistance / size) * rolling : -rolling;
-        Vector3d more = resisted - ball.Rolling;
-        ball.Rolling = resisted;
-        ball.W += (drilled * n) + more;
-        return Math.Max(Math.Abs(drilled), more.Length);
+        return ball.Turning.Act(
+            h * contact.Resistance.Damping * ball.PerInertia, contact.Resistance.MostDrilling(perLoad),
+            contact.Sticks ? (1.0 + ball.InertiaFactor) * ball.Radius * mostRolling : 0, ref ball.W);
     }
 }
 
@@ -432,9 +403,6 @@ internal struct PileMember
     public int FirstContact;
     public int OwnContacts;
 
-    /// <summary>The contact that resists its rotation; −1 for none.</summary>
-    /// <remarks>Also the spin removed from the rolling, and from the spin about its normal, rad/s.</remarks>
-    public int Bearer;
-    public Vector3d Rolling;
-    public double Drilling;
+    /// <summary>The resistance to its rotation, rad/s.</summary>
+    public TurningResistance Turning;
 }
