@@ -83,14 +83,75 @@ internal sealed class InputList<T>(int capacity)
         return has;
     }
 
-    /// <summary>Removes the first <c>count</c> inputs.</summary>
-    public void RemoveFirst(int count)
+    /// <summary>Removes the inputs before a tick.</summary>
+    public void RemoveBefore(long tick)
     {
+        int count = CountBefore(tick, 0, 0);
         if (count > 0)
         {
             MoveGap(count);
             Count -= count;
             _before = 0;
+        }
+    }
+
+    /// <summary>Removes the inputs at or after a tick.</summary>
+    /// <param name="tick">The first tick to remove.</param>
+    /// <param name="ball">The ball whose inputs are removed; negative for all balls.</param>
+    /// <returns>The first tick of a removed input; the maximum if there is none.</returns>
+    public long RemoveFrom(long tick, int ball)
+    {
+        long first = long.MaxValue;
+        for (int i = CountBefore(tick, 0, 0); i < Count;)
+        {
+            T input = At(i);
+            if (ball < 0 || input.Ball == ball)
+            {
+                first = Math.Min(first, input.Tick);
+                Remove(input.Tick, input.Player, input.Ball);
+            }
+            else
+            {
+                i++;
+            }
+        }
+
+        return first;
+    }
+
+    /// <summary>Writes all inputs.</summary>
+    public void Write(ref ByteWriter writer)
+    {
+        // The number of inputs, then for each one: ticks since the last one, player, and its own numbers.
+        writer.Integer((ulong)Count);
+        long last = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly T input = ref At(i);
+            writer.Integer((ulong)(input.Tick - last));
+            writer.Integer((ulong)input.Player);
+            input.Write(ref writer);
+            last = input.Tick;
+        }
+    }
+
+    /// <summary>Reads inputs that <see cref="Write"/> wrote, into an empty list.</summary>
+    public void Read(ref ByteReader reader)
+    {
+        int count = reader.Count(default(T).Smallest);
+        long tick = 0;
+        for (int i = 0; i < count; i++)
+        {
+            // A sum that exceeds 63 bits becomes negative, and the input rejects it.
+            tick += reader.Long();
+            T input = default(T).Read(tick, reader.Int(), ref reader);
+            if (i > 0 && Order(in At(i - 1), input.Tick, input.Player, input.Ball) >= 0)
+            {
+                // Require sorted inputs without duplicates, so that every list has exactly one encoding.
+                throw ByteReader.Broken($"two {input.Noun} are not in order, or of one player and one ball at one tick");
+            }
+
+            Put(in input);
         }
     }
 

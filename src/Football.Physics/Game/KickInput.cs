@@ -61,4 +61,12 @@ public readonly struct KickInput : IFormattable, IMatchInput<KickInput>
     }
 
     bool IMatchInput<KickInput>.IsSame(in KickInput other) => Bits.Same(Velocity, other.Velocity) && Bits.Same(Spin, other.Spin);
+
+    string IMatchInput<KickInput>.Noun => "kicks";
+
+    int IMatchInput<KickInput>.Smallest => KickBytes.Smallest;
+
+    void IMatchInput<KickInput>.Write(ref ByteWriter writer) => KickBytes.Write(in this, ref writer);
+
+    KickInput IMatchInput<KickInput>.Read(long tick, int player, ref ByteReader reader) => KickBytes.Read(tick, player, ref reader);
 }

@@ -114,44 +114,16 @@ public sealed class KickLog
     /// <param name="tick">The first tick to keep.</param>
     internal void RemoveBefore(long tick)
     {
-        _kicks.RemoveFirst(FirstAt(tick));
-        _places.RemoveFirst(FirstPlaceAt(tick));
+        _kicks.RemoveBefore(tick);
+        _places.RemoveBefore(tick);
     }
 
     /// <summary>Removes the kicks and restarts at or after a tick, for instance when the ball is moved.</summary>
     /// <param name="tick">The first tick to remove.</param>
-    public void RemoveFrom(long tick)
-    {
-        int kept = FirstAt(tick);
-        while (Count > kept)
-        {
-            KickInput last = _kicks.At(Count - 1);
-            Remove(last.Tick, last.Player, last.Ball);
-        }
+    public void RemoveFrom(long tick) => RemoveFrom(tick, -1);
 
-        kept = FirstPlaceAt(tick);
-        while (PlaceCount > kept)
-        {
-            PlaceInput last = _places.At(PlaceCount - 1);
-            RemovePlace(last.Tick, last.Player, last.Ball);
-        }
-    }
-
-    /// <summary>Removes the inputs of one ball at or after a tick.</summary>
-    internal void RemoveFrom(long tick, int ball)
-    {
-        for (int i = FirstAt(tick); i < Count;)
-        {
-            KickInput kick = _kicks.At(i);
-            i += kick.Ball == ball && Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
-        }
-
-        for (int i = FirstPlaceAt(tick); i < PlaceCount;)
-        {
-            PlaceInput place = _places.At(i);
-            i += place.Ball == ball && RemovePlace(place.Tick, place.Player, ball) ? 0 : 1;
-        }
-    }
+    /// <summary>Removes the inputs of one ball at or after a tick; those of all balls if the ball is negative.</summary>
+    internal void RemoveFrom(long tick, int ball) => Changes(Math.Min(_kicks.RemoveFrom(tick, ball), _places.RemoveFrom(tick, ball)));
 
     /// <summary>Returns the index of the first kick at or after a tick; <see cref="Count"/> if there is none.</summary>
     /// <param name="tick">The tick.</param>
@@ -225,76 +197,21 @@ public sealed class KickLog
     }
 
     /// <summary>Writes the kicks.</summary>
-    internal void Write(ref ByteWriter writer)
-    {
-        // The number of kicks, then for each kick: ticks since the last kick, player, ball, velocity and spin.
-        writer.Integer((ulong)Count);
-        long last = 0;
-        for (int i = 0; i < Count; i++)
-        {
-            ref readonly KickInput kick = ref _kicks.At(i);
-            writer.Integer((ulong)(kick.Tick - last));
-            writer.Integer((ulong)kick.Player);
-            KickBytes.Write(in kick, ref writer);
-            last = kick.Tick;
-        }
-    }
+    internal void Write(ref ByteWriter writer) => _kicks.Write(ref writer);
 
     /// <summary>Writes the restarts, in the same form.</summary>
-    internal void WritePlaces(ref ByteWriter writer)
-    {
-        writer.Integer((ulong)PlaceCount);
-        long last = 0;
-        for (int i = 0; i < PlaceCount; i++)
-        {
-            ref readonly PlaceInput place = ref _places.At(i);
-            writer.Integer((ulong)(place.Tick - last));
-            writer.Integer((ulong)place.Player);
-            PlaceBytes.Write(in place, ref writer);
-            last = place.Tick;
-        }
-    }
+    internal void WritePlaces(ref ByteWriter writer) => _places.Write(ref writer);
 
     /// <summary>Reads kicks.</summary>
     internal static KickLog Read(ref ByteReader reader)
     {
-        int count = reader.Count(KickBytes.Smallest);
-        var log = new KickLog(Math.Max(count, 1));
-        long tick = 0;
-        for (int i = 0; i < count; i++)
-        {
-            // A sum that exceeds 63 bits becomes negative, and KickInput rejects it.
-            tick += reader.Long();
-            KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && InputList<KickInput>.Order(in log._kicks.At(i - 1), kick.Tick, kick.Player, kick.Ball) >= 0)
-            {
-                // Require sorted kicks without duplicates, so that every log has exactly one encoding.
-                throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
-            }
-
-            log._kicks.Put(in kick);
-        }
-
+        var log = new KickLog();
+        log._kicks.Read(ref reader);
         return log;
     }
 
     /// <summary>Reads restarts.</summary>
-    internal void ReadPlaces(ref ByteReader reader)
-    {
-        int count = reader.Count(PlaceBytes.Smallest);
-        long tick = 0;
-        for (int i = 0; i < count; i++)
-        {
-            tick += reader.Long();
-            PlaceInput place = PlaceBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && InputList<PlaceInput>.Order(in _places.At(i - 1), place.Tick, place.Player, place.Ball) >= 0)
-            {
-                throw ByteReader.Broken("two restarts are not in order, or of one player and one ball at one tick");
-            }
-
-            _places.Put(in place);
-        }
-    }
+    internal void ReadPlaces(ref ByteReader reader) => _places.Read(ref reader);
 
     private static void RefuseIndex(int index, int count)
     {

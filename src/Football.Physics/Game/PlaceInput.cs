@@ -88,4 +88,12 @@ public readonly struct PlaceInput : IFormattable, IMatchInput<PlaceInput>
 
     bool IMatchInput<PlaceInput>.IsSame(in PlaceInput other) =>
         Bits.Same(Position, other.Position) && Bits.Same(Velocity, other.Velocity) && Bits.Same(Spin, other.Spin) && Bits.Same(Orientation, other.Orientation);
+
+    string IMatchInput<PlaceInput>.Noun => "restarts";
+
+    int IMatchInput<PlaceInput>.Smallest => PlaceBytes.Smallest;
+
+    void IMatchInput<PlaceInput>.Write(ref ByteWriter writer) => PlaceBytes.Write(in this, ref writer);
+
+    PlaceInput IMatchInput<PlaceInput>.Read(long tick, int player, ref ByteReader reader) => PlaceBytes.Read(tick, player, ref reader);
 }
