@@ -196,10 +196,14 @@ public readonly struct PathSegment
 
         // p₀ + v₀ t + s² (c₂ + s c₃) or p₀ + v₀ t + a₀ t²/2 + s³ (c₃ + s (c₄ + s c₅)), s = t / length
         double s = t / Length;
+        if (_degree == 5)
+        {
+            Bend(out Vector3d c3, out Vector3d c4, out Vector3d c5);
+            return StartPosition + (t * (StartVelocity + (0.5 * t * StartAcceleration))) + (s * s * s * (c3 + (s * (c4 + (s * c5)))));
+        }
+
         PathPolynomial c = Curve;
-        return _degree == 5
-            ? StartPosition + (t * (StartVelocity + (0.5 * t * StartAcceleration))) + (s * s * s * (c.C3 + (s * (c.C4 + (s * c.C5)))))
-            : StartPosition + (t * StartVelocity) + (s * s * (c.C2 + (s * c.C3)));
+        return StartPosition + (t * StartVelocity) + (s * s * (c.C2 + (s * c.C3)));
     }
 
     /// <summary>Returns the velocity at a time, in m/s.</summary>
@@ -304,11 +308,19 @@ public readonly struct PathSegment
 
         double t = time - Time;
         double s = t / Length;
+        if (_degree == 5)
+        {
+            Bend(out Vector3d c3, out Vector3d c4, out Vector3d c5);
+            return StartVelocity + (t * StartAcceleration) + (s * s / Length * ((3.0 * c3) + (s * ((4.0 * c4) + (5.0 * s * c5)))));
+        }
+
         PathPolynomial c = Curve;
-        return _degree == 5
-            ? StartVelocity + (t * StartAcceleration) + (s * s / Length * ((3.0 * c.C3) + (s * ((4.0 * c.C4) + (5.0 * s * c.C5)))))
-            : StartVelocity + (s / Length * ((2.0 * c.C2) + (3.0 * s * c.C3)));
+        return StartVelocity + (s / Length * ((2.0 * c.C2) + (3.0 * s * c.C3)));
     }
+
+    /// <summary>Computes the deviation of the quintic from uniformly accelerated motion, without the rest of the <see cref="Curve"/>.</summary>
+    private void Bend(out Vector3d c3, out Vector3d c4, out Vector3d c5) => PathPolynomial.Bend(
+        in _startPosition, in _startVelocity, in _startAcceleration, in _endPosition, in _endVelocity, in _endAcceleration, _length, out c3, out c4, out c5);
 
     /// <summary>The path as a polynomial in the elapsed share of the segment.</summary>
     internal PathPolynomial Curve => PathPolynomial.Between(

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics.Numerics;
 
 /// <summary>A path of degree up to five in s, the elapsed share of its duration: c₀ + c₁ s + … + c₅ s⁵, 0 ≤ s ≤ 1.</summary>
@@ -54,15 +56,33 @@ internal readonly struct PathPolynomial
             case 3:
                 return new PathPolynomial(in start, in way, (3.0 * rise) - turn, turn - (2.0 * rise), default, default);
             default:
-                // The deviations from uniformly accelerated motion.
-                double squared = length * length;
-                Vector3d bend = 0.5 * squared * startAcceleration;
-                Vector3d p = rise - bend;
-                Vector3d v = turn - (squared * startAcceleration);
-                Vector3d a = squared * (endAcceleration - startAcceleration);
-                return new PathPolynomial(
-                    in start, in way, in bend, (10.0 * p) - (4.0 * v) + (0.5 * a), (-15.0 * p) + (7.0 * v) - a, (6.0 * p) - (3.0 * v) + (0.5 * a));
+                Bend(in start, in startVelocity, in startAcceleration, in end, in endVelocity, in endAcceleration, length, out Vector3d c3, out Vector3d c4, out Vector3d c5);
+                return new PathPolynomial(in start, in way, 0.5 * (length * length) * startAcceleration, in c3, in c4, in c5);
         }
+    }
+
+    /// <summary>Computes the coefficients c₃ to c₅ of the quintic: its deviation from uniformly accelerated motion.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Bend(
+        in Vector3d start,
+        in Vector3d startVelocity,
+        in Vector3d startAcceleration,
+        in Vector3d end,
+        in Vector3d endVelocity,
+        in Vector3d endAcceleration,
+        double length,
+        out Vector3d c3,
+        out Vector3d c4,
+        out Vector3d c5)
+    {
+        // The deviations at the end, as lengths.
+        double squared = length * length;
+        Vector3d p = end - start - (length * startVelocity) - (0.5 * squared * startAcceleration);
+        Vector3d v = (length * (endVelocity - startVelocity)) - (squared * startAcceleration);
+        Vector3d a = squared * (endAcceleration - startAcceleration);
+        c3 = (10.0 * p) - (4.0 * v) + (0.5 * a);
+        c4 = (-15.0 * p) + (7.0 * v) - a;
+        c5 = (6.0 * p) - (3.0 * v) + (0.5 * a);
     }
 
     /// <summary>A bounding box: that of the control points.</summary>
