@@ -66,7 +66,6 @@ internal struct ShapeGap : ICrossedGap
     private readonly double _bend;
     private readonly bool _mayRise;
     private double _open;
-    private long _evaluations;
 
     /// <summary>Prepares the gap.</summary>
     /// <param name="collider">The collider.</param>
@@ -134,7 +133,8 @@ internal struct ShapeGap : ICrossedGap
         {
             // A convex shape lies behind the tangent plane at its nearest point: if the path never reaches that plane, there is no contact.
             var plane = new PlaneGap(in _path, at.Normal, gap - Vector3d.Dot(_path.At(t) - _path.Start, at.Normal));
-            if (!(TimeOfImpact.First(ref plane, in _span, ref _evaluations, t) <= _span.Until))
+            long evaluations = 0; // not counted: they are few and cheap
+            if (!(TimeOfImpact.First(ref plane, in _span, ref evaluations, t) <= _span.Until))
             {
                 return false;
             }

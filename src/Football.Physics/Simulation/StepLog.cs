@@ -220,7 +220,7 @@ public sealed partial class StepLog
     }
 
     /// <summary>Returns a mark of the current contents, for <see cref="TakeBack"/>.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut, StiffSteps);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut, StiffSteps, SearchEvaluations);
 
     /// <summary>Removes everything added after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -230,6 +230,7 @@ public sealed partial class StepLog
         Evaluations = mark.Evaluations;
         StalledSteps = mark.Stalled;
         StiffSteps = mark.Stiff;
+        SearchEvaluations = mark.Searches;
         UnreportedImpacts = mark.Unreported;
         LeftOut = mark.LeftOut;
         Halted = false;
@@ -261,4 +262,5 @@ public sealed partial class StepLog
 /// <param name="Unreported">Events that were only counted.</param>
 /// <param name="LeftOut">Contacts dropped from a set.</param>
 /// <param name="Stiff">Steps whose custom forces were not followed.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Unreported, long LeftOut, long Stiff);
+/// <param name="Searches">Gap evaluations of searches.</param>
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Unreported, long LeftOut, long Stiff, long Searches);
