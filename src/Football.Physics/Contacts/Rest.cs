@@ -85,7 +85,7 @@ internal sealed unsafe class Rest
     {
         var system = SurfaceSystem.On(_around, carrier, in s, _around.BranchAt(in still));
         system.Rolls = true;
-        SurfaceForces on = system.ForcesOn(s.Time, in still);
+        system.ForcesOn(s.Time, in still, out SurfaceForces on);
         evaluations++;
         Vector3d n = on.Normal;
         system.CarrierGain = SurfaceSystem.Tangential(in gained, in n) + (_world.Ball.InertiaFactor * _around.Radius * Vector3d.Cross(in turned, in n));

@@ -59,6 +59,20 @@ internal struct SurfaceForces
     /// <summary>N/m if the surface could pull, m/s²: the ball leaves when it falls to zero.</summary>
     public double FreeLoad;
 
+    /// <summary>Computes the motion of a plane without spin below the ball. It is part of <see cref="Describe"/>, and faster alone.</summary>
+    public void DescribeFlat(Collider carrier, in Vector3d normal, in Motion at)
+    {
+        Normal = normal;
+        Velocity = at.Velocity - carrier.Velocity;
+        Turning = Vector3d.Zero;
+        Centripetal = 0;
+        Rolling = Velocity;
+        Surface = carrier.Velocity;
+        SurfaceRate = Vector3d.Zero;
+        MaterialRate = Vector3d.Zero;
+        Gyration = Vector3d.Zero;
+    }
+
     /// <summary>Computes the motion of a surface below the ball: all quantities that do not depend on forces.</summary>
     /// <param name="carrier">The surface.</param>
     /// <param name="radius">r, m.</param>
@@ -68,14 +82,9 @@ internal struct SurfaceForces
     /// <param name="on">Receives the result.</param>
     public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {
-        on.Normal = point.Normal;
-        on.Velocity = at.Velocity - carrier.Velocity;
+        on.DescribeFlat(carrier, point.Normal, in at);
         on.Turning = point.Curvature * on.Velocity;
         on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
-        on.Rolling = on.Velocity;
-        on.Surface = carrier.Velocity;
-        on.SurfaceRate = Vector3d.Zero;
-        on.MaterialRate = Vector3d.Zero;
         if (carrier.Spin != Vector3d.Zero)
         {
             AddRotation(carrier, radius, in point, time, in at, ref on);

@@ -150,7 +150,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
 
     public readonly int Margins => (int)Limit.Spin + 1;
 
-    public void Look(double time, in Motion at) => Forces = ForcesOn(time, in at);
+    public void Look(double time, in Motion at) => ForcesOn(time, in at, out Forces);
 
     public readonly double Margin(int index, double time, in Motion at)
     {
@@ -207,13 +207,21 @@ internal unsafe struct SurfaceSystem : IContactMotion
     private readonly double Turning(in SurfaceForces on) => MostFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>Computes all forces except friction.</summary>
-    public readonly SurfaceForces ForcesOn(double time, in Motion at)
+    public readonly void ForcesOn(double time, in Motion at, out SurfaceForces on)
     {
-        Unsafe.SkipInit(out SurfaceForces on);
+        Unsafe.SkipInit(out on);
 
         // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
-        ShapePoint point = IsFlat ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-        SurfaceForces.Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        if (IsFlat && Carrier.Spin == Vector3d.Zero)
+        {
+            on.DescribeFlat(Carrier, in FaceNormal, in at);
+        }
+        else
+        {
+            ShapePoint point = IsFlat ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
+            SurfaceForces.Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        }
+
         Vector3d n = on.Normal;
 
         // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
@@ -253,8 +261,6 @@ internal unsafe struct SurfaceSystem : IContactMotion
             // A knuckle force acts only in flight. If it would press the ball back at once, the ball stays on the surface.
             on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in free.Air.AirVelocity, in at.Spin, at.AirDistance), in n));
         }
-
-        return on;
     }
 
     /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>

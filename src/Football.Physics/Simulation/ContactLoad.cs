@@ -104,7 +104,7 @@ internal sealed class ContactLoad
     public bool Grips(in BallState s, Collider carrier, ref StepRun run)
     {
         SurfaceSystem system = System(in s, carrier);
-        SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
+        system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin), out SurfaceForces on);
         run.Log.Evaluations++;
         return system.Grips(in on);
     }
@@ -115,7 +115,13 @@ internal sealed class ContactLoad
         // If neither the air nor a net adds to the load, the load due to the weight is sufficient.
         Vector3d along = velocity - collider.Velocity;
         double byWeight = _world.AirLoads || collider.Rotates || collider.IsNetEnd ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
-        return byWeight > ContactTolerances.LeastLoad ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;
+        if (byWeight > ContactTolerances.LeastLoad)
+        {
+            return byWeight;
+        }
+
+        System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance), out SurfaceForces on);
+        return on.FreeLoad;
     }
 
     private SurfaceSystem System(in BallState s, Collider carrier) =>

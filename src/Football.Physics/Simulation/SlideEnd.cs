@@ -66,7 +66,7 @@ internal sealed class SlideEnd
         stop.End = MotionAt(in s, in piece, in decay, system.MostFriction(in on), in stop.Start, in stop.Start, about + (decay.Time * turning));
 
         // Second estimate: use the means of both ends, which leave only a higher-order error in the end time.
-        SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in stop.End);
+        system.ForcesOn(s.Time + decay.Time, in stop.End, out SurfaceForces there);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there, in stop.End.Spin);
         double endFriction = system.SlipFriction(in there);

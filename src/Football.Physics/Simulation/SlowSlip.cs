@@ -39,12 +39,13 @@ internal static class SlowSlip
         }
 
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        Vector3d start = sweep.System.SlipOf(in from, sweep.System.ForcesOn(s.Time, in from));
+        sweep.System.ForcesOn(s.Time, in from, out SurfaceForces first);
+        Vector3d start = sweep.System.SlipOf(in from, in first);
         sweep.Evaluations++;
         for (int i = 0; i < MostTries; i++)
         {
             Motion end = sweep.Taken.End;
-            SurfaceForces on = sweep.System.ForcesOn(s.Time + sweep.Length, in end);
+            sweep.System.ForcesOn(s.Time + sweep.Length, in end, out SurfaceForces on);
             sweep.Evaluations++;
 
             // Beyond an edge, the push is another one: there, the change of the slip bounds the error.
