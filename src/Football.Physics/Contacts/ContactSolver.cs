@@ -5,8 +5,7 @@ namespace FootballPhysics.Contacts;
 /// <summary>Solves the impulses of a contact set over a short time, with Coulomb's law at all contacts: J_n ≥ 0, no closing, |J_t| ≤ μ
 /// J_n.</summary>
 /// <remarks>
-/// Projected Gauss–Seidel finds the modes (load, grip, slip). <see cref="ContactNewton"/> then computes the impulses, and another iteration
-/// checks them.
+/// Projected Gauss–Seidel solves one contact after the other, until the impulses no longer change.
 /// On a sphere a normal impulse does not change the spin, and a tangential one acts on the mass m α/(1 + α) in every direction.
 /// Each contact therefore has a closed-form solution per iteration.
 /// </remarks>
@@ -15,18 +14,8 @@ internal static class ContactSolver
     /// <summary>Maximum number of iterations. If they do not suffice, the set is unsolvable, as with two objects that close on a ball.</summary>
     private const int MostRounds = 48;
 
-    /// <summary>Number of iterations for a set that may be unsolvable.</summary>
-    private const int RoundsInVain = 16;
-
-    /// <summary>Larger sets are solved by Gauss–Seidel alone.</summary>
-    private const int MostByNewton = 64;
-
-    /// <summary>Newton gains little if the change is more than this share of the previous one.</summary>
-    private const double Little = 0.1;
-
-    /// <summary>Number of iterations before a Newton step. The number doubles whenever the guessed modes are wrong.</summary>
-    private const int RoundsBetween = 2;
-    private const int RoundsOfWrong = 2 * RoundsBetween;
+    /// <summary>Maximum number of iterations for a set that may be unsolvable; the result is then approximate.</summary>
+    public const int RoundsInVain = 16;
 
     /// <summary>Solves the velocity and the spin after a time, given their values without contacts.</summary>
     /// <param name="set">The contacts. They hold the impulses of the previous part, or zero, and receive the new ones.</param>
@@ -36,11 +25,21 @@ internal static class ContactSolver
     /// <param name="w">Spin, rad/s.</param>
     /// <param name="settled">Relative change of impulses and speeds below which the solver has converged.</param>
     /// <param name="closing">Maximum closing speed of a contact, m/s.</param>
+    /// <param name="rounds">Maximum number of iterations.</param>
     /// <returns>True if a solution was found.</returns>
     public static bool Solve(
-        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = ContactTolerances.Settled, double closing = ContactTolerances.LargestClosing)
+        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w,
+        double settled = ContactTolerances.Settled, double closing = ContactTolerances.LargestClosing, int rounds = MostRounds)
     {
-        bool found = Settles(set, ball, duration, ref v, ref w, settled);
+        Begin(set, ball, ref v, ref w);
+        TurningResistance resistance = TurningResistance.None;
+        double change = double.PositiveInfinity;
+        for (int round = 0; round < rounds && change > settled; round++)
+        {
+            change = Round(set, ball, duration, ref resistance, ref v, ref w);
+        }
+
+        bool found = change <= ContactTolerances.Foreseen;
         foreach (ref readonly Contact contact in set)
         {
             found &= Closing(in contact, duration, in v) >= -closing;
@@ -67,74 +66,6 @@ internal static class ContactSolver
         double most = ContactTolerances.StillHeld * (v.Length + (world.Ball.Radius * w.Length));
         Solve(held, world.Ball, duration, ref v, ref w);
         return v.Length + (world.Ball.Radius * w.Length) <= most + still;
-    }
-
-    /// <summary>Iterates Gauss–Seidel and Newton until the impulses converge.</summary>
-    private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
-    {
-        Begin(set, ball, ref v, ref w);
-        bool isLarge = set.Length > MostByNewton;
-        Span<Contact> kept = stackalloc Contact[isLarge ? 0 : set.Length];
-        TurningResistance resistance = TurningResistance.None;
-        var before = new Guess { Change = double.PositiveInfinity };
-        double change = double.PositiveInfinity;
-        int between = RoundsBetween;
-        int next = between - 1;
-        for (int round = 0; round < MostRounds; round++)
-        {
-            // Run one iteration of projected Gauss–Seidel, and return if the solution has converged.
-            change = Round(set, ball, duration, ref resistance, ref v, ref w);
-            if (change <= settled)
-            {
-                return true;
-            }
-
-            if (change > before.Change)
-            {
-                // Newton's method guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel only.
-                kept.CopyTo(set);
-                v = before.Velocity;
-                w = before.Spin;
-                resistance = before.Resistance;
-                before.Change = double.PositiveInfinity;
-                between *= 2;
-                next = round + between;
-                continue;
-            }
-
-            // Stop if the solution has nearly converged and more iterations gain little, as with indeterminate loads.
-            if (change <= ContactTolerances.Foreseen && (change > Little * before.Change || between > RoundsOfWrong))
-            {
-                return true;
-            }
-
-            before.Change = double.PositiveInfinity;
-
-            // Occasionally try a Newton step. Save the state first, because the step may guess the wrong modes.
-            if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
-            {
-                next = round + between;
-                set.CopyTo(kept);
-                before = new Guess { Velocity = v, Spin = w, Resistance = resistance, Change = change };
-                ContactNewton.Step(set, ball, duration, ref resistance, ref v, ref w);
-            }
-        }
-
-        return change <= ContactTolerances.Foreseen;
-    }
-
-    /// <summary>Runs a few iterations on a set that may be unsolvable; the result is approximate.</summary>
-    public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
-    {
-        Begin(set, ball, ref v, ref w);
-        TurningResistance resistance = TurningResistance.None;
-        for (int round = 0; round < RoundsInVain; round++)
-        {
-            if (Round(set, ball, duration, ref resistance, ref v, ref w) <= ContactTolerances.Settled)
-            {
-                return;
-            }
-        }
     }
 
     /// <summary>Applies the impulses that the contacts already hold.</summary>
@@ -217,20 +148,4 @@ internal static class ContactSolver
         contact.Friction = friction;
         return Math.Max(Math.Abs(pushed), rubbed.Length);
     }
-}
-
-/// <summary>The state before a Newton step.</summary>
-internal struct Guess
-{
-    /// <summary>Velocity, m/s.</summary>
-    public Vector3d Velocity;
-
-    /// <summary>Spin, rad/s.</summary>
-    public Vector3d Spin;
-
-    /// <summary>Resistance to rolling and drilling.</summary>
-    public TurningResistance Resistance;
-
-    /// <summary>The last change of the impulses.</summary>
-    public double Change;
 }

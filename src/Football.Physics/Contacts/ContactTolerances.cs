@@ -269,10 +269,6 @@ internal static class ContactTolerances
     /// <remarks>Above: the ball starts above the ground. Below: rounding prevents an end.</remarks>
     public const double OnGround = 1e-14;
 
-    /// <summary>The pivot of a contact system below which it is singular.</summary>
-    /// <remarks>Above: solvable sets are rejected. Below: pushes are amplified rounding.</remarks>
-    public const double LeastPivot = 1e-14;
-
     /// <summary>The change of impulses and speeds below which the solver of a set has converged.</summary>
     /// <remarks>Above: squeezed balls gain energy. Below: rounding prevents an end.</remarks>
     public const double Settled = 1e-13;
@@ -288,11 +284,6 @@ internal static class ContactTolerances
     /// <summary>The excess of a force over its friction cone that is rounding.</summary>
     /// <remarks>Above: friction exceeds the law. Below: a force on the cone counts as outside.</remarks>
     public const double BeyondCone = 1e-12;
-
-    /// <summary>The regularisation of the diagonal of the contact system.</summary>
-    /// <remarks>It selects the least-squares solution if there are several. Above: loads are too small. Below: an undetermined set is
-    /// singular.</remarks>
-    public const double Regularisation = 1e-11;
 
     /// <summary>The tension of a net, 1 + b δ̇, below which the kink of its force is located.</summary>
     /// <remarks>Above: the integrator loses its order at the kink. Below: rounding of the speed prevents an end.</remarks>
