@@ -494,8 +494,10 @@ public sealed class GodotPlayTests : IDisposable
         File.WriteAllBytes(file, segment.ToBytes());
         var plugin = new FootballPlugin();
         plugin._EnterTree();
-        var dock = (FootballReplayDock)Assert.Single(plugin.Docked);
-        Node.Root.AddChild(dock);
+        var holder = (EditorDock)Assert.Single(plugin.Docked);
+        Assert.Equal(("Football Replay", EditorDock.DockSlot.RightUl), (holder.Title, holder.DefaultSlot));
+        Node.Root.AddChild(holder);
+        var dock = (FootballReplayDock)Assert.Single(holder.GetChildren());
         Button[] buttons = [.. dock.GetChildren().OfType<Button>()];
         HSlider slider = dock.GetChildren().OfType<HSlider>().Single();
         EditorFileDialog.Chosen = file;

@@ -145,6 +145,28 @@ public class EditorInspectorPlugin : Resource
     public void AddCustomControl(Control control) => Added.Add(control);
 }
 
+/// <summary>From Godot 4.6 on.</summary>
+public class EditorDock : Control
+{
+    public enum DockSlot
+    {
+        None = -1,
+        LeftUl,
+        LeftBl,
+        LeftUr,
+        LeftBr,
+        RightUl,
+        RightBl,
+        RightUr,
+        RightBr,
+        Bottom,
+    }
+
+    public string Title { get; set; } = "";
+
+    public DockSlot DefaultSlot { get; set; } = DockSlot.None;
+}
+
 public class EditorPlugin : Node
 {
     public enum DockSlot
@@ -165,8 +187,16 @@ public class EditorPlugin : Node
     /// <summary>What is asked when something is inspected.</summary>
     public List<EditorInspectorPlugin> Inspectors { get; } = [];
 
+    /// <summary>From Godot 4.6 on.</summary>
+    public void AddDock(EditorDock? dock) => Docked.Add(dock!);
+
+    /// <summary>From Godot 4.6 on.</summary>
+    public void RemoveDock(EditorDock? dock) => Docked.Remove(dock!);
+
+    /// <summary>Before Godot 4.6.</summary>
     public void AddControlToDock(DockSlot slot, Control? control) => Docked.Add(control!);
 
+    /// <summary>Before Godot 4.6.</summary>
     public void RemoveControlFromDocks(Control? control) => Docked.Remove(control!);
 
     public void AddInspectorPlugin(EditorInspectorPlugin? plugin) => Inspectors.Add(plugin!);

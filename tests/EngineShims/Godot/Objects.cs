@@ -286,6 +286,8 @@ public static class Engine
 {
     public static int PhysicsTicksPerSecond { get; set; } = 60;
 
+    public static double TimeScale { get; set; } = 1;
+
     /// <summary>What <see cref="GetPhysicsInterpolationFraction"/> says.</summary>
     public static double InterpolationFraction { get; set; }
 

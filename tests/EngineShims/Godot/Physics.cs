@@ -65,7 +65,7 @@ public class CollisionObject3D : Node3D
 {
     private readonly List<(Shape3D Shape, Transform3D Transform)> _shapes = [];
 
-    public virtual Vector3 LinearVelocity { get; set; }
+    public uint CollisionLayer { get; set; } = 1;
 
     public Rid GetRid() => new(GetInstanceId());
 
@@ -100,6 +100,8 @@ public class StaticBody3D : CollisionObject3D
 
 public class RigidBody3D : CollisionObject3D
 {
+    public Vector3 LinearVelocity { get; set; }
+
     public Vector3 AngularVelocity { get; set; }
 
     public float Mass { get; set; } = 1;
@@ -192,7 +194,7 @@ public class PhysicsDirectSpaceState3D : GodotObject
         float safe = 1;
         float unsafeFraction = 1;
         float radius = ((SphereShape3D)parameters.Shape).Radius;
-        foreach (CollisionObject3D body in All.Where(body => !parameters.Exclude.Contains(body.GetRid()) && body.Distance(parameters.Transform.Origin) > radius))
+        foreach (CollisionObject3D body in All.Where(body => (body.CollisionLayer & parameters.CollisionMask) != 0 && !parameters.Exclude.Contains(body.GetRid()) && body.Distance(parameters.Transform.Origin) > radius))
         {
             float touches = FirstTouch(body, parameters.Transform.Origin, parameters.Motion, radius);
             if (touches > 1)
@@ -251,7 +253,7 @@ public class PhysicsDirectSpaceState3D : GodotObject
     {
         float radius = ((SphereShape3D)parameters.Shape).Radius;
         Vector3 at = parameters.Transform.Origin;
-        CollisionObject3D? body = All.Where(body => !parameters.Exclude.Contains(body.GetRid()) && body.Distance(at) <= radius).MinBy(body => body.Distance(at));
+        CollisionObject3D? body = All.Where(body => (body.CollisionLayer & parameters.CollisionMask) != 0 && !parameters.Exclude.Contains(body.GetRid()) && body.Distance(at) <= radius).MinBy(body => body.Distance(at));
         var info = new Collections.Dictionary();
         if (body is not null)
         {
@@ -267,8 +269,9 @@ public class PhysicsDirectSpaceState3D : GodotObject
             info.Add("point", at - (normal * body.Distance(at)));
 
             // As the engine's own: the velocity of the body at the point of contact.
-            Vector3 spin = body is RigidBody3D rigid ? rigid.AngularVelocity : Vector3.Zero;
-            info.Add("linear_velocity", body.LinearVelocity + spin.Cross(at - (normal * body.Distance(at)) - body.GlobalTransform.Origin));
+            var rigid = body as RigidBody3D;
+            Vector3 spin = rigid?.AngularVelocity ?? Vector3.Zero;
+            info.Add("linear_velocity", (rigid?.LinearVelocity ?? Vector3.Zero) + spin.Cross(at - (normal * body.Distance(at)) - body.GlobalTransform.Origin));
         }
 
         return info;

@@ -6,12 +6,32 @@ namespace UnityEngine
     {
         public bool isTrigger { get; set; }
 
-        public Rigidbody? attachedRigidbody => TryGetComponent(out Rigidbody? body) ? body : null;
+        /// <summary>The body of its own object, or of the nearest parent that has one.</summary>
+        public Rigidbody? attachedRigidbody
+        {
+            get
+            {
+                for (Transform? at = transform; at != null; at = at.parent)
+                {
+                    if (at.gameObject.TryGetComponent(out Rigidbody? body))
+                    {
+                        return body;
+                    }
+                }
+
+                return null;
+            }
+        }
 
         /// <summary>Distance of a point in the frame of the transform, without its scale.</summary>
         public virtual float Distance(Vector3 point) => float.PositiveInfinity;
 
-        public bool Raycast(Ray ray, out RaycastHit hit, float maxDistance) => Physics.March(this, ray.origin, 0f, ray.direction, maxDistance, out hit);
+        /// <summary>Finds nothing from inside, as in the engine.</summary>
+        public bool Raycast(Ray ray, out RaycastHit hit, float maxDistance)
+        {
+            hit = default;
+            return Physics.Distance(this, ray.origin) > 0f && Physics.March(this, ray.origin, 0f, ray.direction, maxDistance, out hit);
+        }
     }
 
     public class SphereCollider : Collider
@@ -56,6 +76,26 @@ namespace UnityEngine
             float on = Math.Min(half, Math.Max(-half, along));
             var nearest = new Vector3(direction == 0 ? on : 0f, direction == 1 ? on : 0f, direction == 2 ? on : 0f);
             return (p - nearest).magnitude - radius;
+        }
+    }
+
+    /// <summary>A capsule that stands upright however its transform is turned, with a velocity of its own.</summary>
+    public class CharacterController : Collider
+    {
+        public Vector3 center { get; set; }
+
+        public float radius { get; set; } = 0.5f;
+
+        public float height { get; set; } = 2f;
+
+        /// <summary>The velocity of its last move.</summary>
+        public Vector3 velocity { get; set; }
+
+        public override float Distance(Vector3 point)
+        {
+            Vector3 p = (transform.rotation * point) - (transform.rotation * center);
+            float half = Math.Max(0f, (0.5f * height) - radius);
+            return (p - new Vector3(0f, Math.Min(half, Math.Max(-half, p.y)), 0f)).magnitude - radius;
         }
     }
 
@@ -136,9 +176,15 @@ namespace UnityEngine
 
         public RigidbodyInterpolation interpolation { get; set; }
 
+        /// <summary>In the frame of the transform.</summary>
+        public Vector3 centerOfMass { get; set; }
+
+        public Vector3 worldCenterOfMass => transform.position + (transform.rotation * centerOfMass);
+
+        /// <summary>The velocity of a point: that of the centre of mass, and the rotation about it.</summary>
         public Vector3 GetPointVelocity(Vector3 point)
         {
-            Vector3 r = point - transform.position;
+            Vector3 r = point - worldCenterOfMass;
             Vector3 w = angularVelocity;
             return velocity + new Vector3((w.y * r.z) - (w.z * r.y), (w.z * r.x) - (w.x * r.z), (w.x * r.y) - (w.y * r.x));
         }

@@ -199,7 +199,7 @@ namespace UnityEngine
 
         public bool activeInHierarchy => _active;
 
-        public SceneManagement.Scene scene => new SceneManagement.Scene();
+        public SceneManagement.Scene scene { get; internal set; }
 
         public static GameObject CreatePrimitive(PrimitiveType type)
         {
@@ -380,15 +380,16 @@ namespace UnityEngine
 
 namespace UnityEngine.SceneManagement
 {
+    /// <summary>In the shim a number: 0 for the scene that is loaded first.</summary>
     public struct Scene
     {
+        public int handle { get; set; }
+
         public bool IsValid() => true;
     }
 
     public static class SceneManager
     {
-        public static void MoveGameObjectToScene(GameObject go, Scene scene)
-        {
-        }
+        public static void MoveGameObjectToScene(GameObject go, Scene scene) => go.scene = scene;
     }
 }

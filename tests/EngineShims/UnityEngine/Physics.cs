@@ -9,23 +9,36 @@ namespace UnityEngine
         Collide,
     }
 
-    /// <summary>Queries among the colliders that a test has put there, in single precision as the engine has it.</summary>
-    public static class Physics
+    /// <summary>The colliders of a scene, and queries among those that a test has put there, in single precision as the engine has it.</summary>
+    public readonly struct PhysicsScene
     {
-        private const int MostSteps = 200;
-        private const float Touching = 1e-5f;
+        private static readonly Dictionary<int, List<Collider>> s_colliders = new Dictionary<int, List<Collider>>();
+        private readonly int _handle;
 
-        public static Vector3 gravity { get; set; } = new Vector3(0f, -9.81f, 0f);
+        public PhysicsScene(int handle) => _handle = handle;
 
-        public static List<Collider> All { get; } = new List<Collider>();
+        /// <summary>What a test puts there.</summary>
+        public List<Collider> All
+        {
+            get
+            {
+                if (!s_colliders.TryGetValue(_handle, out List<Collider>? all))
+                {
+                    all = new List<Collider>();
+                    s_colliders.Add(_handle, all);
+                }
 
-        public static int SphereCastNonAlloc(
+                return all;
+            }
+        }
+
+        public int SphereCast(
             Vector3 origin, float radius, Vector3 direction, RaycastHit[] results, float maxDistance, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
         {
             int count = 0;
             for (int i = 0; i < All.Count && count < results.Length; i++)
             {
-                if (!Ignores(All[i], queryTriggerInteraction) && March(All[i], origin, radius, direction, maxDistance, out RaycastHit hit))
+                if (Sees(All[i], layerMask, queryTriggerInteraction) && Physics.March(All[i], origin, radius, direction, maxDistance, out RaycastHit hit))
                 {
                     // As the engine does for what the sphere touches at its start.
                     results[count++] = hit.distance > 0f ? hit : new RaycastHit { collider = All[i], normal = direction * -1f };
@@ -35,12 +48,12 @@ namespace UnityEngine
             return count;
         }
 
-        public static int OverlapSphereNonAlloc(Vector3 position, float radius, Collider[] results, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
+        public int OverlapSphere(Vector3 position, float radius, Collider[] results, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
         {
             int count = 0;
             for (int i = 0; i < All.Count && count < results.Length; i++)
             {
-                if (!Ignores(All[i], queryTriggerInteraction) && Distance(All[i], position) <= radius)
+                if (Sees(All[i], layerMask, queryTriggerInteraction) && Physics.Distance(All[i], position) <= radius)
                 {
                     results[count++] = All[i];
                 }
@@ -48,6 +61,28 @@ namespace UnityEngine
 
             return count;
         }
+
+        /// <summary>True for a collider that exists, in one of the layers, and is no trigger that the query ignores.</summary>
+        private static bool Sees(Collider collider, int layerMask, QueryTriggerInteraction triggers) =>
+            collider != null && (layerMask >> collider.gameObject.layer & 1) != 0 && !(collider.isTrigger && triggers == QueryTriggerInteraction.Ignore);
+    }
+
+    public static class PhysicsSceneExtensions
+    {
+        public static PhysicsScene GetPhysicsScene(this SceneManagement.Scene scene) => new PhysicsScene(scene.handle);
+    }
+
+    public static class Physics
+    {
+        private const int MostSteps = 200;
+        private const float Touching = 1e-5f;
+
+        public static Vector3 gravity { get; set; } = new Vector3(0f, -9.81f, 0f);
+
+        public static PhysicsScene defaultPhysicsScene => default;
+
+        /// <summary>The colliders of the default scene.</summary>
+        public static List<Collider> All => defaultPhysicsScene.All;
 
         /// <summary>Moves a sphere on until it touches a collider.</summary>
         internal static bool March(Collider collider, Vector3 origin, float radius, Vector3 direction, float maxDistance, out RaycastHit hit)
@@ -71,9 +106,7 @@ namespace UnityEngine
             return false;
         }
 
-        private static bool Ignores(Collider collider, QueryTriggerInteraction triggers) => collider.isTrigger && triggers == QueryTriggerInteraction.Ignore;
-
-        private static float Distance(Collider collider, Vector3 point) => collider.Distance(Turned(point - collider.transform.position, collider.transform.rotation, -1f));
+        internal static float Distance(Collider collider, Vector3 point) => collider.Distance(Turned(point - collider.transform.position, collider.transform.rotation, -1f));
 
         private static Vector3 Normal(Collider collider, Vector3 at)
         {

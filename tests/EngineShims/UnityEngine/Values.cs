@@ -56,6 +56,18 @@ namespace UnityEngine
         public override readonly int GetHashCode() => x.GetHashCode() ^ (y.GetHashCode() << 2) ^ (z.GetHashCode() >> 2);
     }
 
+    public struct Pose
+    {
+        public Vector3 position;
+        public Quaternion rotation;
+
+        public Pose(Vector3 position, Quaternion rotation)
+        {
+            this.position = position;
+            this.rotation = rotation;
+        }
+    }
+
     public struct Quaternion : IEquatable<Quaternion>
     {
         public float x;

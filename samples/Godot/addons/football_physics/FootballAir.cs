@@ -13,6 +13,7 @@ namespace FootballPhysics.GodotAddon;
 public partial class FootballAir : Node
 {
     private Aerodynamics? _air;
+    private double _time;
     private int _stamp;
 
     /// <summary>The ball and the air; empty: a match ball in still air at sea level. A change takes effect in the next physics frame. The preset's ground is ignored.</summary>
@@ -49,6 +50,7 @@ public partial class FootballAir : Node
     /// <inheritdoc/>
     public override void _PhysicsProcess(double delta)
     {
+        _time += delta;
         RigidBody3D body = Body;
         if (body.Freeze || body.Sleeping)
         {
@@ -57,7 +59,7 @@ public partial class FootballAir : Node
 
         Aerodynamics air = Prepared(body);
         ForceAndTorque load = air.EvaluateForStep(
-            Place(body), GodotFrame.FromGodot(body.LinearVelocity), GodotFrame.SpinFromGodot(body.AngularVelocity), delta, Pull(body, air), Time.GetTicksMsec() / 1000.0);
+            Place(body), GodotFrame.FromGodot(body.LinearVelocity), GodotFrame.SpinFromGodot(body.AngularVelocity), delta, Pull(body, air), _time);
 
         // The body may be heavier or lighter than the ball, but the accelerations are the ball's.
         double share = body.Mass / air.Scene.Ball.Mass;
@@ -65,7 +67,8 @@ public partial class FootballAir : Node
         body.ApplyTorque(GodotFrame.SpinToGodot(share * load.Torque));
     }
 
-    private static double Step => 1.0 / Engine.PhysicsTicksPerSecond;
+    /// <summary>The length of a physics frame in the time of the game, s.</summary>
+    private static double Step => Engine.TimeScale / Engine.PhysicsTicksPerSecond;
 
     private static Vector3d Place(RigidBody3D body) => GodotFrame.FromGodot(body.GlobalPosition);
 

@@ -50,14 +50,14 @@ public partial class FootballBall
         }
     }
 
-    /// <summary>Predicts the path of the ball without keepers: one point per physics frame, beginning with the current position. Allocates nothing.</summary>
+    /// <summary>Predicts the path of the ball without keepers: one point per step of the ball, beginning with the current position. Allocates nothing.</summary>
     /// <param name="points">Receives the points.</param>
     /// <returns>The number of points written. It is smaller than the length of the span if the ball comes to rest.</returns>
     public int PredictPath(Span<Vector3> points)
     {
         FixedStepRunner runner = Runner;
         ApplyChanges();
-        _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
+        _scene!.CollidersAreAt(runner.State.Time + _clock.Left, GreatestSpeed);
         return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), runner.TimeStep, points);
     }
 
@@ -70,7 +70,7 @@ public partial class FootballBall
     {
         FixedStepRunner runner = Runner;
         ApplyChanges();
-        _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
+        _scene!.CollidersAreAt(runner.State.Time + _clock.Left, GreatestSpeed);
         BallState state = _scene.Stage.PredictionState(runner.State);
         _scene.Stage.Ahead.Kick(ref state, GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
         return Follow(_scene.Stage.Ahead, state, runner.TimeStep, points);
@@ -92,7 +92,7 @@ public partial class FootballBall
         BallState state = ahead.Launch(GodotFrame.FromGodot(GlobalPosition), default, default);
         Vector3d direction = GodotFrame.FromGodot(KickDirection);
         ahead.Kick(ref state, (KickSpeed / direction.Length) * direction, KickVectors.Spin(direction, KickTopSpin, KickSideSpin));
-        return Follow(ahead, state, 1.0 / Engine.PhysicsTicksPerSecond, points);
+        return Follow(ahead, state, _runner?.TimeStep ?? 1.0 / Engine.PhysicsTicksPerSecond, points);
     }
 
     /// <summary>Returns the predicted path as an array, for GDScript.</summary>

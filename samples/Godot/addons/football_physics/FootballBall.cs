@@ -1,11 +1,12 @@
 #nullable enable
 using System;
 using System.Collections.Generic;
+using FootballPhysics.Engines;
 using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A football that steps in _PhysicsProcess and draws in _Process. Its children move and rotate with it. Its scale and its initial orientation are kept.</summary>
+/// <summary>A football that steps in _PhysicsProcess, in the time of the game, and draws in _Process. Its children move and rotate with it. Its scale and its initial orientation are kept.</summary>
 /// <remarks>
 /// The ball hits every goal, pitch, wall and keeper in the tree, and the bodies in the layers of its hit mask. Changes of the ball, its preset or these objects take effect in the
 /// next step. A ball without a visible child draws itself, with a pattern that shows its spin.
@@ -20,6 +21,8 @@ public partial class FootballBall : Node3D
     private const float Moved = 1e-3f;
 
     private static readonly List<FootballBall> s_all = new();
+
+    private readonly EngineClock _clock = new();
 
     private FootballScene? _scene;
     private FixedStepRunner? _runner;
@@ -154,20 +157,23 @@ public partial class FootballBall : Node3D
         }
 
         // The positions of Godot's bodies hold at this time, on the clock of the ball.
-        _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
-        MoveKeepersInSteps(runner);
-        if (runner.MoveBodies is null)
+        _scene!.CollidersAreAt(runner.State.Time + _clock.Left, GreatestSpeed);
+        for (int due = _clock.StepsIn(delta, runner.TimeStep); due > 0; due--)
         {
-            MoveKeepers();
-        }
+            MoveKeepersInSteps(runner);
+            if (runner.MoveBodies is null)
+            {
+                MoveKeepers();
+            }
 
-        runner.Step();
-        _scene.Stage.AfterStep(runner.State);
-        for (int i = 0; i < runner.Events.Count; i++)
-        {
-            _scene.Push(in runner.Events[i]);
-            Emit(in runner.Events[i]);
-            _scene.GoalOf(in runner.Events[i])?.EmitFor(this, in runner.Events[i]);
+            runner.Step();
+            _scene.Stage.AfterStep(runner.State);
+            for (int i = 0; i < runner.Events.Count; i++)
+            {
+                _scene.Push(in runner.Events[i]);
+                Emit(in runner.Events[i]);
+                _scene.GoalOf(in runner.Events[i])?.EmitFor(this, in runner.Events[i]);
+            }
         }
     }
 
@@ -191,7 +197,7 @@ public partial class FootballBall : Node3D
             GD.PushWarning($"The football \"{Name}\" was moved by its transform, which has no effect because the simulation sets its position. Call Place(position) or Kick instead.");
         }
 
-        Draw(Engine.GetPhysicsInterpolationFraction());
+        Draw(_clock.FractionAt(Engine.GetPhysicsInterpolationFraction() * _clock.Frame, _runner.TimeStep));
         _scene!.Draw();
     }
 

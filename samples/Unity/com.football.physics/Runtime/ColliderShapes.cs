@@ -6,12 +6,13 @@ using UnityEngine;
 namespace FootballPhysics.Unity
 {
     /// <summary>Converts Unity's colliders to the library's shapes, in the frame of their transform without its scale.</summary>
+    /// <remarks>A CharacterController stands upright however its transform is turned: its frame is at its centre, and does not turn.</remarks>
     internal static class ColliderShapes
     {
         /// <summary>True if the library has the shape of the collider.</summary>
         public static bool HasShape(Collider collider)
         {
-            return collider is SphereCollider || collider is CapsuleCollider || collider is BoxCollider;
+            return collider is SphereCollider || collider is CapsuleCollider || collider is BoxCollider || collider is CharacterController;
         }
 
         /// <summary>Converts a collider. Its surface is that of the FootballSurface on its game object.</summary>
@@ -24,6 +25,21 @@ namespace FootballPhysics.Unity
             return shape == null
                 ? new EngineCollider(collider.gameObject.name, surface) { Mass = mass }
                 : new EngineCollider(collider.gameObject.name, shape, surface) { Mass = mass };
+        }
+
+        /// <summary>Returns the origin and the rotation of the frame of the collider's shape.</summary>
+        public static Pose PoseOf(Collider collider)
+        {
+            Vector3 place = collider.transform.position;
+            Quaternion turned = collider.transform.rotation;
+            if (!(collider is CharacterController controller))
+            {
+                return new Pose(place, turned);
+            }
+
+            Vector3 scale = collider.transform.lossyScale;
+            Vector3 center = controller.center;
+            return new Pose(place + (turned * new Vector3(center.x * scale.x, center.y * scale.y, center.z * scale.z)), Quaternion.identity);
         }
 
         private static IShape Shape(Collider collider)
@@ -41,19 +57,25 @@ namespace FootballPhysics.Unity
                 case CapsuleCollider capsule:
                     float along = capsule.direction == 0 ? x : capsule.direction == 1 ? y : z;
                     float across = capsule.direction == 0 ? Math.Max(y, z) : capsule.direction == 1 ? Math.Max(x, z) : Math.Max(x, y);
-                    double radius = capsule.radius * across;
-                    double half = (0.5 * capsule.height * along) - radius;
-                    Vector3d center = Scaled(capsule.center, scale);
-                    if (half <= 0)
-                    {
-                        return new SphereShape(center, radius);
-                    }
-
-                    Vector3d axis = half * new Vector3d(capsule.direction == 0 ? 1 : 0, capsule.direction == 1 ? 1 : 0, capsule.direction == 2 ? 1 : 0);
-                    return new CapsuleShape(center - axis, center + axis, radius);
+                    return Capsule(Scaled(capsule.center, scale), capsule.direction, capsule.radius * across, 0.5 * capsule.height * along);
+                case CharacterController controller:
+                    return Capsule(Vector3d.Zero, 1, controller.radius * Math.Max(x, z), 0.5 * controller.height * y);
                 default:
                     return null;
             }
+        }
+
+        /// <summary>Returns a capsule along an axis, or the sphere that a short one is.</summary>
+        private static IShape Capsule(Vector3d center, int direction, double radius, double halfHeight)
+        {
+            double half = halfHeight - radius;
+            if (half <= 0)
+            {
+                return new SphereShape(center, radius);
+            }
+
+            Vector3d axis = half * new Vector3d(direction == 0 ? 1 : 0, direction == 1 ? 1 : 0, direction == 2 ? 1 : 0);
+            return new CapsuleShape(center - axis, center + axis, radius);
         }
 
         private static Vector3d Scaled(Vector3 v, Vector3 scale)

@@ -18,7 +18,7 @@ namespace FootballPhysics.Unity
         {
             FixedStepRunner runner = Runner;
             ApplyChanges();
-            _scene.CollidersAreAt(runner.State.Time);
+            PlaceColliders();
             return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), _runner.TimeStep, points);
         }
 
@@ -31,7 +31,7 @@ namespace FootballPhysics.Unity
         {
             FixedStepRunner runner = Runner;
             ApplyChanges();
-            _scene.CollidersAreAt(runner.State.Time);
+            PlaceColliders();
             BallState state = _scene.Stage.PredictionState(runner.State);
             _scene.Stage.Ahead.Kick(ref state, UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
             return Follow(_scene.Stage.Ahead, state, _runner.TimeStep, points);
@@ -45,8 +45,7 @@ namespace FootballPhysics.Unity
             int stamp = Stamp();
             if (_preview == null || stamp != _previewStamp)
             {
-                TryGetComponent(out Rigidbody own);
-                _preview = new FootballScene(preset, hits.value, greatestSpeed, own);
+                _preview = NewScene();
                 _previewStamp = stamp;
             }
 

@@ -1,4 +1,5 @@
 using System;
+using FootballPhysics.Engines;
 using FootballPhysics.Netcode;
 using Unity.Profiling;
 using UnityEngine;
@@ -13,9 +14,6 @@ namespace FootballPhysics.Unity
     [AddComponentMenu("Football/Football Ball"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
     public sealed partial class FootballBall : MonoBehaviour
     {
-        /// <summary>The tolerance of the time of a step, as a fraction of the step, because Unity's clock adds single-precision numbers.</summary>
-        private const double AlmostDue = 1e-3;
-
         /// <summary>If the object is farther than this from its drawn position, m, other code moved it.</summary>
         private const float Moved = 1e-3f;
 
@@ -39,6 +37,9 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("Maximum speed of colliders that can hit the ball, m/s.")]
         private float greatestSpeed = 15f;
 
+        [SerializeField, Tooltip("Colliders without a Rigidbody take their velocity from their last two positions in FixedUpdate, for animated colliders. Their Animator needs the update mode Fixed (Animate Physics).")]
+        private bool velocityFromMotion;
+
         [SerializeField]
         private FootballBallEvents events = new FootballBallEvents();
 
@@ -46,8 +47,8 @@ namespace FootballPhysics.Unity
         private FixedStepRunner _runner;
         private Action<double> _moveKeepers;
         private int _stamp;
-        private double _elapsed;
-        private long _steps;
+        private readonly EngineClock _clock = new EngineClock();
+        private readonly ColliderMotions _motions = new ColliderMotions();
         private Vector3 _drawnAt;
         private bool _warned;
 
@@ -70,6 +71,14 @@ namespace FootballPhysics.Unity
         {
             get => greatestSpeed;
             set => greatestSpeed = value;
+        }
+
+        /// <summary>True if colliders without a Rigidbody take their velocity from their last two positions in FixedUpdate; default false: they do not move.</summary>
+        /// <remarks>Use it for colliders that an Animator moves, with its update mode Fixed (Animate Physics). A collider that moves faster than <see cref="GreatestSpeed"/> has jumped, and has no velocity.</remarks>
+        public bool VelocityFromMotion
+        {
+            get => velocityFromMotion;
+            set => velocityFromMotion = value;
         }
 
         /// <summary>The kick that the editor shows.</summary>
@@ -139,10 +148,9 @@ namespace FootballPhysics.Unity
             using (s_compile.Auto())
             {
                 _stamp = Stamp();
-                TryGetComponent(out Rigidbody own);
 
                 // Create all new objects before replacing the old ones, so that a rejected value changes nothing.
-                var scene = new FootballScene(preset, hits.value, greatestSpeed, own);
+                FootballScene scene = NewScene();
                 bool begins = _runner == null;
                 if (begins)
                 {
@@ -166,7 +174,7 @@ namespace FootballPhysics.Unity
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name.</exception>
         public Simulator CompileScene()
         {
-            return new FootballScene(preset, 0, 0f, null).Stage.Game;
+            return new FootballScene(preset, 0, 0f, default, null).Stage.Game;
         }
 
         private void Reset()
@@ -182,8 +190,6 @@ namespace FootballPhysics.Unity
         {
             FootballWarmUp.Begin();
             BeKinematic();
-            _elapsed = 0.0;
-            _steps = 0;
             if (GetComponentInChildren<Renderer>() == null)
             {
                 gameObject.AddComponent<FootballSkin>();
@@ -202,12 +208,14 @@ namespace FootballPhysics.Unity
                     return;     // the first scene was invalid, which was reported; the next valid one starts the ball
                 }
 
-                _elapsed += Time.fixedDeltaTime;
                 _scene.GreatestSpeed = greatestSpeed;
+                if (velocityFromMotion && hits.value != 0)
+                {
+                    _motions.Follow(gameObject.scene.GetPhysicsScene(), hits.value, transform.position, Radius, Velocity.magnitude, greatestSpeed, Time.fixedDeltaTime);
+                }
 
-                // The positions of Unity's bodies hold at this time, on the clock of the ball.
-                _scene.CollidersAreAt(_runner.State.Time);
-                while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
+                PlaceColliders();
+                for (int due = _clock.StepsIn(Time.fixedDeltaTime, _runner.TimeStep); due > 0; due--)
                 {
                     MoveKeepersInSteps();
                     if (_runner.MoveBodies == null)
@@ -216,7 +224,6 @@ namespace FootballPhysics.Unity
                     }
 
                     _runner.Step();
-                    _steps++;
                     _scene.Stage.AfterStep(_runner.State);
                     for (int i = 0; i < _runner.Events.Count; i++)
                     {
@@ -243,10 +250,21 @@ namespace FootballPhysics.Unity
                     Debug.LogWarning("The football \"" + name + "\" was moved by its transform, which has no effect because the simulation sets its position. Call Place(position) or Kick instead.", this);
                 }
 
-                double ahead = _elapsed + (Time.timeAsDouble - Time.fixedTimeAsDouble) - (_steps * _runner.TimeStep);
-                Draw(Math.Min(1.0, Math.Max(0.0, ahead / _runner.TimeStep)));
+                Draw(_clock.FractionAt(Time.timeAsDouble - Time.fixedTimeAsDouble, _runner.TimeStep));
                 _scene.Draw();
             }
+        }
+
+        private FootballScene NewScene()
+        {
+            TryGetComponent(out Rigidbody own);
+            return new FootballScene(preset, hits.value, greatestSpeed, gameObject.scene.GetPhysicsScene(), own);
+        }
+
+        /// <summary>Sets the time at which the positions of Unity's colliders hold, on the clock of the ball: that of the game.</summary>
+        private void PlaceColliders()
+        {
+            _scene.CollidersAreAt(_runner.State.Time + _clock.Left, velocityFromMotion ? _motions : null);
         }
 
         /// <summary>A hash that changes when any input of the scene changes.</summary>
@@ -299,8 +317,7 @@ namespace FootballPhysics.Unity
             runner.MoveBodies = _runner.MoveBodies;
 
             _runner = runner;
-            _elapsed = 0.0;
-            _steps = 0;
+            _clock.Restart();
         }
 
         /// <summary>Moves the keepers in MoveBodies, so that a rollback moves them again in each step that it repeats.</summary>

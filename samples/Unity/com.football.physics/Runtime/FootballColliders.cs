@@ -6,10 +6,13 @@ using UnityEngine;
 namespace FootballPhysics.Unity
 {
     /// <summary>
-    /// Unity's colliders as colliders of the ball, found by Physics.SphereCastNonAlloc. Spheres, capsules and boxes have their exact shapes. Any other shape (meshes,
-    /// terrain) acts as its tangent plane at the point that the ball would touch. Triggers are ignored.
+    /// Unity's colliders as colliders of the ball, found by the sphere casts of a physics scene. Spheres, capsules, boxes and character controllers have their exact shapes. Any other
+    /// shape (meshes, terrain) acts as its tangent plane at the point that the ball would touch. Triggers are ignored.
     /// </summary>
-    /// <remarks>The scale of a collider, and the surface of its game object, are read when the ball first hits it.</remarks>
+    /// <remarks>
+    /// The scale of a collider, and the surface of its game object, are read when the ball first hits it. The velocity is that of the Rigidbody of the collider or of its parents, or of the
+    /// CharacterController. A collider without either does not move, unless the ball takes velocities from motion.
+    /// </remarks>
     public sealed class FootballColliders : IEngineColliders
     {
         /// <summary>The reduction of the ball's radius for casts against meshes, so that the surface below the ball does not block the cast.</summary>
@@ -17,6 +20,8 @@ namespace FootballPhysics.Unity
 
         private readonly Dictionary<Collider, EngineCollider> _known = new Dictionary<Collider, EngineCollider>();
         private readonly Dictionary<EngineCollider, Collider> _engines = new Dictionary<EngineCollider, Collider>();
+        private readonly List<EngineCollider> _released = new List<EngineCollider>();
+        private readonly PhysicsScene _physics;
         private readonly Rigidbody _own;
         private readonly bool _pushes;
         private readonly int _layers;
@@ -25,12 +30,14 @@ namespace FootballPhysics.Unity
         private Collider[] _near = new Collider[16];
 
         /// <summary>Creates the colliders for a ball.</summary>
+        /// <param name="physics">The physics scene: gameObject.scene.GetPhysicsScene(), or Physics.defaultPhysicsScene.</param>
         /// <param name="own">The ball's own body, which the ball does not hit.</param>
         /// <param name="layers">The layers that the ball hits, as a LayerMask.</param>
         /// <param name="greatestSpeed">An upper bound of the speed of any point of the colliders, m/s, including rotation.</param>
         /// <param name="pushes">True if dynamic bodies react with their mass. The event contains the impulse, which the game applies.</param>
-        public FootballColliders(Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
+        public FootballColliders(PhysicsScene physics, Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
         {
+            _physics = physics;
             _pushes = pushes;
             _own = own;
             _layers = layers;
@@ -42,6 +49,9 @@ namespace FootballPhysics.Unity
 
         /// <summary>An upper bound of the speed of any point of the colliders, m/s, including rotation.</summary>
         public double MaximumSpeed { get; set; }
+
+        /// <summary>The velocities of colliders without a Rigidbody; null if these do not move.</summary>
+        internal ColliderMotions Motions { get; set; }
 
         /// <summary>Returns Unity's collider of a library collider; null if there is none.</summary>
         public Collider Of(EngineCollider collider)
@@ -58,11 +68,11 @@ namespace FootballPhysics.Unity
             var distance = (float)cast.Distance;
 
             // First add the colliders that overlap the sphere at the start, then those on its path.
-            int near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
+            int near = _physics.OverlapSphere(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
             while (near == _near.Length)
             {
                 Array.Resize(ref _near, 2 * near);
-                near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
+                near = _physics.OverlapSphere(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
             }
 
             for (int i = 0; i < near; i++)
@@ -92,25 +102,65 @@ namespace FootballPhysics.Unity
             double mass = _pushes && body != null && !body.isKinematic ? body.mass : double.PositiveInfinity;
             if (!_known.TryGetValue(collider, out EngineCollider known) || known.Mass != mass)
             {
+                Release(collider);
                 known = ColliderShapes.Make(collider, mass);
-                _known[collider] = known;
+                _known.Add(collider, known);
                 _engines.Add(known, collider);
             }
 
+            Pose pose = ColliderShapes.PoseOf(collider);
             if (ColliderShapes.HasShape(collider))
             {
-                Vector3 place = collider.transform.position;
-                Vector3 velocity = body != null ? body.GetPointVelocity(place) : Vector3.zero;
-                Vector3 spin = body != null ? body.angularVelocity : Vector3.zero;
-                known.MoveTo(UnityFrame.FromUnity(place), UnityFrame.FromUnity(collider.transform.rotation), UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
+                Vector3 velocity = VelocityAt(pose.position, collider, body, in pose, out Vector3 spin);
+                known.MoveTo(UnityFrame.FromUnity(pose.position), UnityFrame.FromUnity(pose.rotation), UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
                 hits.Add(known);
             }
             else if (TryTouch(collider, in cast, out Vector3 point, out Vector3 normal))
             {
-                Vector3 velocity = body != null ? body.GetPointVelocity(point) : Vector3.zero;
+                Vector3 velocity = VelocityAt(point, collider, body, in pose, out _);
                 known.TouchAt(UnityFrame.FromUnity(point), UnityFrame.FromUnity(normal), UnityFrame.FromUnity(velocity));
                 hits.Add(known);
             }
+        }
+
+        /// <summary>Returns the velocity of a point of a collider, m/s, and its angular velocity, rad/s.</summary>
+        private Vector3 VelocityAt(Vector3 point, Collider collider, Rigidbody body, in Pose pose, out Vector3 spin)
+        {
+            spin = Vector3.zero;
+            if (body != null)
+            {
+                spin = body.angularVelocity;
+                return body.GetPointVelocity(point);
+            }
+
+            if (collider is CharacterController controller)
+            {
+                return controller.velocity;
+            }
+
+            Vector3 velocity = Vector3.zero;
+            Motions?.Of(collider, out velocity, out spin);
+            return velocity + Vector3.Cross(spin, point - pose.position);
+        }
+
+        /// <summary>Forgets a collider, and those that were destroyed.</summary>
+        private void Release(Collider replaced)
+        {
+            foreach (KeyValuePair<EngineCollider, Collider> met in _engines)
+            {
+                if (met.Value == null || met.Value == replaced)
+                {
+                    _released.Add(met.Key);
+                }
+            }
+
+            foreach (EngineCollider released in _released)
+            {
+                _known.Remove(_engines[released]);
+                _engines.Remove(released);
+            }
+
+            _released.Clear();
         }
 
         /// <summary>Finds the contact of the ball with a mesh: the current one, or the first one on its path.</summary>
@@ -167,11 +217,11 @@ namespace FootballPhysics.Unity
 
         private int CastSphere(Vector3 from, float radius, Vector3 direction, float distance, ref RaycastHit[] hits)
         {
-            int count = UnityEngine.Physics.SphereCastNonAlloc(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
+            int count = _physics.SphereCast(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
             while (count == hits.Length)
             {
                 Array.Resize(ref hits, 2 * count);
-                count = UnityEngine.Physics.SphereCastNonAlloc(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
+                count = _physics.SphereCast(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
             }
 
             return count;

@@ -16,13 +16,13 @@ namespace FootballPhysics.Unity
 
         /// <summary>Compiles the scene.</summary>
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message contains its name.</exception>
-        public FootballScene(FootballPreset preset, int hits, float greatestSpeed, Rigidbody own)
+        public FootballScene(FootballPreset preset, int hits, float greatestSpeed, PhysicsScene physics, Rigidbody own)
         {
             Stage = new BallScene(preset != null ? preset.MakeScene() : null, preset != null ? preset.Settings : null);
             if (hits != 0)
             {
-                _colliders = new FootballColliders(own, hits, greatestSpeed, true);
-                _collidersAhead = new FootballColliders(own, hits, greatestSpeed, false);
+                _colliders = new FootballColliders(physics, own, hits, greatestSpeed, true);
+                _collidersAhead = new FootballColliders(physics, own, hits, greatestSpeed, false);
                 Stage.Colliders = _colliders;
                 Stage.PredictionColliders = _collidersAhead;
             }
@@ -71,13 +71,15 @@ namespace FootballPhysics.Unity
             _keepers.Add(keeper);
         }
 
-        /// <summary>Sets the time, on the ball's clock, at which the positions of Unity's colliders hold.</summary>
-        public void CollidersAreAt(double time)
+        /// <summary>Sets the time, on the ball's clock, at which the positions of Unity's colliders hold, and the velocities of those without a Rigidbody.</summary>
+        public void CollidersAreAt(double time, ColliderMotions motions)
         {
             if (_colliders != null)
             {
                 _colliders.Time = time;
+                _colliders.Motions = motions;
                 _collidersAhead.Time = time;
+                _collidersAhead.Motions = motions;
             }
         }
 
