@@ -55,10 +55,20 @@ ok "the newest version of a function of glibc is ${newest#@GLIBC_}; Debian 11 ha
 
 strict=(-Wall -Wextra -Werror -I"$prefix/include")
 link=(-L"$prefix/lib" -lfootball_physics "-Wl,-rpath,$prefix/lib" -lm)
-printf '#include <football_physics.h>\nint main() { return fp_hash(nullptr) != 0 || FP_CHECK_ABI() != FP_OK; }\n' > "$work/header.cpp"
-quietly "the header in C++" g++ -std=c++17 -pedantic "${strict[@]}" "$work/header.cpp" -o "$work/header" "${link[@]}"
+printf '#include <math.h>\n#include <football_physics.h>\nint main(void) { int32_t sizes[] = { (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball) }; return fp_hash(0) != 0 || fp_check_sizes(FOOTBALL_ABI_VERSION, sizes, 2) != FP_OK || FOOTBALL_CHECK_ABI() != FP_OK; }\n' > "$work/header.c"
+cp "$work/header.c" "$work/header.cpp"
+# The headers of Apple's machines with Intel define FP_STATE_BYTES, before or after this one.
+{ echo '#define FP_STATE_BYTES 512'; cat "$work/header.c"; } > "$work/before.c"
+{ sed '/math.h/d' "$work/header.c" | sed 's/^int main/#define FP_STATE_BYTES 512\n&/'; } > "$work/after.c"
+for standard in c99 c11; do
+  for source in header before after; do
+    quietly "the header in $standard, $source" gcc -std=$standard -Wpedantic "${strict[@]}" "$work/$source.c" -o "$work/header" "${link[@]}"
+    quietly "the C program, $source" "$work/header"
+  done
+done
+quietly "the header in C++20" g++ -std=c++20 -Wpedantic "${strict[@]}" "$work/header.cpp" -o "$work/header" "${link[@]}"
 quietly "the C++ program" "$work/header"
-ok "the header compiles as C++17, -pedantic"
+ok "the header compiles as C99, C11 and C++20 with -Wall -Wextra -Wpedantic -Werror, and beside Apple's FP_STATE_BYTES"
 
 quietly "ctest" ctest --test-dir "$work/clone/out/c" --output-on-failure
 "$work/clone/out/c/free_kick" > "$work/said"

@@ -29,7 +29,7 @@ int main(int argc, char **argv)
     fp_event events[16];
     int32_t count;
     int round, i;
-    check(FP_CHECK_ABI());
+    check(FOOTBALL_CHECK_ABI());
     check(fp_scene_create(json, (int64_t)strlen(json), &scene));
     check(fp_launch(scene, position, velocity, spin, &kick));
     /* Alternate, and take the least of each: the machine is shared. 100 steps of 10 ms are in the air. */

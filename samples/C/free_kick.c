@@ -27,7 +27,7 @@ int main(void)
     fp_state state;
     fp_ball ball;
 
-    check(FP_CHECK_ABI());
+    check(FOOTBALL_CHECK_ABI());
     check(fp_scene_create(pitch, (int64_t)strlen(pitch), &scene));
     check(fp_aim(scene, request, (int64_t)strlen(request), velocity, spin, &miss, &verdict));
     printf("%s: velocity (%.2f, %.2f, %.2f) m/s\n", verdict == FP_AIM_HIT ? "a hit" : "no hit", velocity[0], velocity[1], velocity[2]);

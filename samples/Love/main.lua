@@ -8,11 +8,11 @@ if arg[2] == "--picture" then love.errorhandler = print end
 -- The folder that build.sh of src/Football.Physics.Native wrote. LuaJIT parses the header, but has no preprocessor, so the code below replaces the macros.
 local prefix = os.getenv("FOOTBALL_PHYSICS") or love.filesystem.getSource() .. "/../../out/native"
 local header, macros = assert(io.open(prefix .. "/include/football_physics.h")):read("*a"):gsub("#ifdef __cplusplus.-#endif", ""), {}
-for name, value in header:gmatch("#define (FP_%u+_%u+) (%d+)") do macros[name] = tonumber(value) end
-ffi.cdef((header:gsub("#[^\n]*", ""):gsub("FP_API ", ""):gsub("FP_%u+_%u+", macros)))
+for name, value in header:gmatch("#define (FOOTBALL_%u+_%u+) (%d+)") do macros[name] = tonumber(value) end
+ffi.cdef((header:gsub("#[^\n]*", ""):gsub("FOOTBALL_API ", ""):gsub("FOOTBALL_%u+_%u+", macros)))
 local C = ffi.load(prefix .. (({ Windows = "/bin/football_physics.dll", OSX = "/lib/libfootball_physics.dylib" })[ffi.os] or "/lib/libfootball_physics.so"))
 local function check(status) return status == C.FP_OK or error(ffi.string(C.fp_last_error()), 2) end
-check(C.fp_check_abi(macros.FP_ABI_VERSION, ffi.sizeof("fp_state"), ffi.sizeof("fp_ball"), ffi.sizeof("fp_event")))
+check(C.fp_check_abi(macros.FOOTBALL_ABI_VERSION, ffi.sizeof("fp_state"), ffi.sizeof("fp_ball"), ffi.sizeof("fp_event")))
 local pitch = [[{"goals": [{"center": [0, 0, -22], "facing": [0, 0, 1]}],
   "obstacles": [{"name": "wall", "shape": "box", "center": [1, 0.92, -9.15], "halfSize": [1.3, 0.92, 0.2]}]}]]
 local scene, state, ball, events, count = ffi.new("fp_scene *[1]"), ffi.new("fp_state"), ffi.new("fp_ball"), ffi.new("fp_event[16]"), ffi.new("int32_t[1]")

@@ -13,11 +13,18 @@ internal static unsafe partial class Exports
     /// <summary>The version of the interface. It changes with sizes, names and meanings.</summary>
     public const int AbiVersion = 2;
 
+    /// <summary>The sizes of the structures in the order of the header, bytes.</summary>
+    internal static readonly int[] Sizes =
+    [
+        sizeof(NativeState), sizeof(NativeBall), sizeof(NativeEvent), sizeof(NativeDerivatives), sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception),
+        sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeWatch),
+    ];
+
     private static readonly byte* s_noError = MakeText("");
     private static readonly byte* s_version = MakeText(typeof(Scene).Assembly.GetName().Version!.ToString(3));
 
-    /// <summary>Checks that the header matches the library. Call it once, as FP_CHECK_ABI().</summary>
-    /// <param name="version">FP_ABI_VERSION.</param>
+    /// <summary>Checks that the header matches the library. Call it once, as FOOTBALL_CHECK_ABI().</summary>
+    /// <param name="version">FOOTBALL_ABI_VERSION.</param>
     /// <param name="stateBytes">sizeof(fp_state).</param>
     /// <param name="ballBytes">sizeof(fp_ball).</param>
     /// <param name="eventBytes">sizeof(fp_event).</param>
@@ -32,7 +39,7 @@ internal static unsafe partial class Exports
             : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the loaded library.");
     }
 
-    /// <summary>Checks the sizes of the structures that fp_check_abi does not check. FP_CHECK_ABI() calls both.</summary>
+    /// <summary>Checks the sizes of the structures that fp_check_abi does not check. FOOTBALL_CHECK_ABI() calls both.</summary>
     /// <param name="bodyBytes">sizeof(fp_body).</param>
     /// <param name="matchEventBytes">sizeof(fp_match_event).</param>
     /// <param name="playerBytes">sizeof(fp_player).</param>
@@ -55,6 +62,32 @@ internal static unsafe partial class Exports
         return given == mine
             ? NativeStatus.Ok
             : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");
+    }
+
+    /// <summary>Checks that the structures of another language match those of the library: a check without a macro, for generated bindings.</summary>
+    /// <param name="version">FOOTBALL_ABI_VERSION.</param>
+    /// <param name="sizes">The sizes of the structures in bytes, in the order of the header, from fp_state on.</param>
+    /// <param name="n">Their number. At least 1, and at most the number of the structures.</param>
+    /// <returns>FP_OK, FP_ARGUMENT if sizes is null or n is not 1 ... the number of structures, or FP_ABI.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_check_sizes")]
+    public static NativeStatus CheckSizes(int version, [In] int* sizes, int n)
+    {
+        ReadOnlySpan<int> mine = Sizes;
+        if (sizes == null || n < 1 || n > mine.Length)
+        {
+            return Guard.Fail(NativeStatus.Argument, $"sizes must not be null, and n is {n}; allowed: 1 to {mine.Length}.");
+        }
+
+        var given = new ReadOnlySpan<int>(sizes, n);
+        for (int i = 0; i < n; i++)
+        {
+            if (given[i] != mine[i])
+            {
+                return Guard.Fail(NativeStatus.Abi, $"sizes[{i}] is {given[i]}; allowed: {mine[i]}, that of the loaded library.");
+            }
+        }
+
+        return version == AbiVersion ? NativeStatus.Ok : Guard.Fail(NativeStatus.Abi, $"version is {version}; allowed: {AbiVersion}, that of the loaded library.");
     }
 
     /// <summary>Returns the version of the library, for example "0.1.0".</summary>

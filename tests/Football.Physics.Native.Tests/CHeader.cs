@@ -62,18 +62,18 @@ internal sealed partial class CHeader
         Line("#include <stdint.h>");
         Line();
         Line("#if defined(_WIN32)");
-        Line("#define FP_API __declspec(dllimport)");
+        Line("#define FOOTBALL_API __declspec(dllimport)");
         Line("#else");
-        Line("#define FP_API");
+        Line("#define FOOTBALL_API");
         Line("#endif");
         Line();
         Line("#ifdef __cplusplus");
         Line("extern \"C\" {");
         Line("#endif");
         Line();
-        Line($"#define FP_ABI_VERSION {Exports.AbiVersion}");
-        Line($"#define FP_STATE_BYTES {NativeState.Size}");
-        Line($"#define FP_SNAPSHOT_BYTES {Snapshot.Size}");
+        Line($"#define FOOTBALL_ABI_VERSION {Exports.AbiVersion}");
+        Line($"#define FOOTBALL_STATE_BYTES {NativeState.Size}");
+        Line($"#define FOOTBALL_SNAPSHOT_BYTES {Snapshot.Size}");
         Line();
         Enumeration(typeof(NativeStatus), "fp_status", "FP_");
         foreach ((Type type, string name, string prefix) in s_numbers)
@@ -88,7 +88,7 @@ internal sealed partial class CHeader
         Line("typedef struct fp_match fp_match;");
         Line();
         Comment(Summary("T:" + typeof(NativeState).FullName));
-        Line("typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;");
+        Line("typedef struct { unsigned char bytes[FOOTBALL_STATE_BYTES]; } fp_state;");
         Line();
         foreach (Type type in s_structs)
         {
@@ -102,8 +102,14 @@ internal sealed partial class CHeader
 
         // One line: readers without a preprocessor remove it as a whole.
         string[] structs = ["body", "match_event", "player", "interception", "window", "goal_chance_result", "fit_result", "piece", "fit_match_result"];
-        Line("#define FP_CHECK_ABI() (fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? FP_ABI : "
+        Line("/** Checks that this header matches the library. Other languages call fp_check_sizes. */");
+        Line("#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : "
             + $"fp_check_structs({string.Join(", ", structs.Select(name => $"(int32_t)sizeof(fp_{name})"))}))");
+        Line();
+        Line("/* The names before version 0.2, for one more version. <math.h> also begins names with FP_. */");
+        Line("#define FP_ABI_VERSION FOOTBALL_ABI_VERSION");
+        Line("#define FP_SNAPSHOT_BYTES FOOTBALL_SNAPSHOT_BYTES");
+        Line("#define FP_CHECK_ABI() FOOTBALL_CHECK_ABI()");
         Line();
         Line("#ifdef __cplusplus");
         Line("}");
@@ -125,17 +131,21 @@ internal sealed partial class CHeader
 
     private void Enumeration(Type type, string name, string prefix)
     {
+        // The negative member makes the type of the constants int in every language: int32_t, as that of the members and arguments that hold them.
         Comment(Summary("T:" + type.FullName));
-        Line("typedef enum {");
+        Line($"typedef int32_t {name};");
+        Line("enum {");
         string[] members = Enum.GetNames(type);
         for (int i = 0; i < members.Length; i++)
         {
             Comment(Summary($"F:{type.FullName}.{members[i]}"), "    ");
             int value = Convert.ToInt32(Enum.Parse(type, members[i]), CultureInfo.InvariantCulture);
-            Line($"    {prefix}{Snake(NameInC(type, members[i])).ToUpperInvariant()} = {value}{(i < members.Length - 1 ? "," : "")}");
+            Line($"    {prefix}{Snake(NameInC(type, members[i])).ToUpperInvariant()} = {value},");
         }
 
-        Line($"}} {name};");
+        Comment("Not used. It gives the constants the type int.", "    ");
+        Line($"    {name.ToUpperInvariant()}_INT = -1");
+        Line("};");
         Line();
     }
 
@@ -158,19 +168,19 @@ internal sealed partial class CHeader
     {
         XElement documentation = _documentation.First(entry => entry.Key.StartsWith($"M:{typeof(Exports).FullName}.{method.Name}", StringComparison.Ordinal)
             && entry.Key[$"M:{typeof(Exports).FullName}.{method.Name}".Length..] is "" or ['(', ..]).Value;
-        var lines = new List<string>(Wrap(Text(documentation.Element("summary")!), Width - 3));
+        var lines = new List<string>(Wrap(Text(documentation.Element("summary")!), Width - 4));
         foreach (ParameterInfo parameter in method.GetParameters())
         {
             XElement? about = documentation.Elements("param").FirstOrDefault(element => element.Attribute("name")!.Value == parameter.Name);
-            lines.AddRange(Wrap($"{Snake(parameter.Name!)}: {Text(about ?? throw new InvalidOperationException($"{method.Name}: {parameter.Name} is not documented."))}", Width - 5)
+            lines.AddRange(Wrap($"{Snake(parameter.Name!)}: {Text(about ?? throw new InvalidOperationException($"{method.Name}: {parameter.Name} is not documented."))}", Width - 6)
                 .Select((line, i) => (i == 0 ? "" : "  ") + line));
         }
 
-        lines.AddRange(Wrap("Returns " + Text(documentation.Element("returns")!), Width - 3));
+        lines.AddRange(Wrap("Returns " + Text(documentation.Element("returns")!), Width - 4));
         Comment(lines);
         string parameters = string.Join(", ", method.GetParameters().Select(Parameter));
         string returns = method.ReturnType == typeof(byte*) ? "const char*" : TypeName(method.ReturnType, isArray: false);
-        Line($"FP_API {returns} {NameOf(method)}({(parameters.Length > 0 ? parameters : "void")});");
+        Line($"FOOTBALL_API {returns} {NameOf(method)}({(parameters.Length > 0 ? parameters : "void")});");
         Line();
     }
 
@@ -181,7 +191,7 @@ internal sealed partial class CHeader
         string name = Snake(parameter.Name!);
         return array is null
             ? $"{constant}{TypeName(parameter.ParameterType, isArray: false)} {name}"
-            : $"{constant}{TypeName(parameter.ParameterType.GetElementType()!, isArray: true)} {name}[{(array.Length == Snapshot.Size ? "FP_SNAPSHOT_BYTES" : array.Length.ToString(CultureInfo.InvariantCulture))}]";
+            : $"{constant}{TypeName(parameter.ParameterType.GetElementType()!, isArray: true)} {name}[{(array.Length == Snapshot.Size ? "FOOTBALL_SNAPSHOT_BYTES" : array.Length.ToString(CultureInfo.InvariantCulture))}]";
     }
 
     private static string TypeName(Type type, bool isArray) => type.IsPointer
@@ -229,13 +239,13 @@ internal sealed partial class CHeader
         return lines;
     }
 
-    private void Comment(string text, string indent = "") => Comment(Wrap(text, Width - 3 - indent.Length), indent);
+    private void Comment(string text, string indent = "") => Comment(Wrap(text, Width - 4 - indent.Length), indent);
 
     private void Comment(IReadOnlyList<string> lines, string indent = "")
     {
         for (int i = 0; i < lines.Count; i++)
         {
-            Line($"{indent}{(i == 0 ? "/*" : "  ")} {lines[i]}{(i == lines.Count - 1 ? " */" : "")}");
+            Line($"{indent}{(i == 0 ? "/**" : "   ")} {lines[i]}{(i == lines.Count - 1 ? " */" : "")}");
         }
     }
 

@@ -21,6 +21,17 @@ public sealed partial class HeaderTests
     }
 
     [Fact]
+    public void The_sizes_that_a_binding_checks_are_those_of_the_structures_in_their_order()
+    {
+        MatchCollection structures = Structure().Matches(Repository.Text(Header));
+        Assert.Equal(structures.Count, Exports.Sizes.Length);
+        Assert.Equal(
+            structures.Select(match => System.Runtime.InteropServices.Marshal.SizeOf(
+                typeof(Exports).Assembly.GetType("FootballPhysics.Native.Native" + string.Concat(match.Groups[1].Value.Split('_').Select(word => char.ToUpperInvariant(word[0]) + word[1..])))!)),
+            Exports.Sizes);
+    }
+
+    [Fact]
     public unsafe void Sizes_are_those_of_the_types()
     {
         Assert.Equal(NativeState.Size, sizeof(BallState));
@@ -34,6 +45,9 @@ public sealed partial class HeaderTests
         Assert.Equal(16, sizeof(NativeWatch));
     }
 
-    [GeneratedRegex(@"^FP_API .*?(fp_\w+)\(", RegexOptions.Multiline)]
+    [GeneratedRegex(@"^(?:typedef struct \{.*)?\} fp_(\w+);", RegexOptions.Multiline)]
+    private static partial Regex Structure();
+
+    [GeneratedRegex(@"^FOOTBALL_API .*?(fp_\w+)\(", RegexOptions.Multiline)]
     private static partial Regex Declaration();
 }

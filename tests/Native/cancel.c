@@ -70,7 +70,7 @@ int main(void)
     fp_goal_chance_result chance;
     pthread_t thread;
     int by;
-    if (FP_CHECK_ABI() != FP_OK || fp_scene_create(goal, (int64_t)strlen(goal), &scene) != FP_OK) { puts(fp_last_error()); return 1; }
+    if (FOOTBALL_CHECK_ABI() != FP_OK || fp_scene_create(goal, (int64_t)strlen(goal), &scene) != FP_OK) { puts(fp_last_error()); return 1; }
     signal(SIGINT, on_interrupt);
     for (by = 0; by < 2; by++) {
         fill(scene, MATCH_POINTS, 150, 0.02);

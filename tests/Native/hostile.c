@@ -34,7 +34,7 @@ typedef struct {
     unsigned char g3[64];
     double vectors[4][3 * BALLS];
     unsigned char g4[64];
-    unsigned char snapshot[FP_SNAPSHOT_BYTES];
+    unsigned char snapshot[FOOTBALL_SNAPSHOT_BYTES];
     unsigned char g5[64];
     fp_ball ball;
     fp_derivatives derivatives;
@@ -261,7 +261,7 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
         return FP_OK;
     case 6: return fp_snapshot_write(state, seldom(seed) ? NULL : b->snapshot);
     case 7:
-        if (seldom(seed)) b->snapshot[below(seed, FP_SNAPSHOT_BYTES)] ^= (unsigned char)next(seed);
+        if (seldom(seed)) b->snapshot[below(seed, FOOTBALL_SNAPSHOT_BYTES)] ^= (unsigned char)next(seed);
         return fp_snapshot_read(seldom(seed) ? NULL : b->snapshot, state);
     case 8: case 9: case 10: return fp_launch(scene(seed), vector(seed, p, 50), vector(seed, v, 40), vector(seed, w, 100), state);
     case 11: case 12: return fp_kick(scene(seed), state, vector(seed, v, 40), vector(seed, w, 100));
@@ -301,7 +301,13 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
         return FP_OK;
     case 38: return fp_intercept(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : &b->first);
     case 39: return fp_intercept_windows(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->windows, (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->numbers);
-    case 40: return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 248);
+    case 40:
+        if (below(seed, 2)) {
+            int32_t sizes[14];
+            for (int i = 0; i < 14; i++) sizes[i] = (int32_t)next(seed);
+            return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 14, INT32_MAX));
+        }
+        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 248);
     case 50:
         if (below(seed, 8) == 0) {
             fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);
@@ -358,7 +364,7 @@ static void *play(void *argument)
         fp_status status;
         if (what == 3 && below(&seed, 4)) what = 19;
         if (seldom(&seed)) state = seldom(&seed) ? NULL : &shared;
-        else if (below(&seed, 300) == 0) own->bytes[below(&seed, FP_STATE_BYTES)] ^= (unsigned char)next(&seed);
+        else if (below(&seed, 300) == 0) own->bytes[below(&seed, FOOTBALL_STATE_BYTES)] ^= (unsigned char)next(&seed);
         before = *own;
         status = call(&seed, b, what, state);
         /* The shared ball is written by several threads at once: torn between two of them it may be anything, and is told as FP_INTERNAL at worst. */

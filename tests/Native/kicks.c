@@ -91,7 +91,7 @@ static uint64_t kick(const fp_scene *scene, uint64_t seed, uint64_t hash)
 int main(int argc, char **argv)
 {
     size_t s;
-    check(FP_CHECK_ABI(), "fp_check_abi");
+    check(FOOTBALL_CHECK_ABI(), "fp_check_abi");
     for (s = 0; s < sizeof scenes / sizeof scenes[0]; s++) {
         fp_scene *scene;
         uint64_t hash = 0;

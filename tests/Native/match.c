@@ -217,7 +217,7 @@ int main(int argc, char **argv)
     memset(&g, 0, sizeof g);
     for (i = 0; i < PLAYERS; i++) g.place[i][0] = 5.0 * (i % 11) - 25;
     for (i = 0; i < PLAYERS; i++) g.place[i][1] = i < 11 ? -10 : 10;
-    check(FP_CHECK_ABI(), "FP_CHECK_ABI");
+    check(FOOTBALL_CHECK_ABI(), "FOOTBALL_CHECK_ABI");
     check(fp_match_create(json, (int64_t)strlen(json), BALLS, STEP, &match), "fp_match_create");
     check(fp_match_create(json, (int64_t)strlen(json), BALLS, STEP, &other), "fp_match_create");
     if (fp_match_save(match, NULL, 0, &size) != FP_BUFFER) { fprintf(stderr, "fp_match_save without room is no FP_BUFFER\n"); return 1; }

@@ -38,7 +38,7 @@ int main(void)
     unsigned char bytes[64] = { 0 };
     uint64_t hash;
     memset(&empty, 0, sizeof empty);
-    if (FP_CHECK_ABI() != FP_OK || create("{}", &scene) != FP_OK || fp_launch(scene, zero, kick, zero, &state) != FP_OK) return 2;
+    if (FOOTBALL_CHECK_ABI() != FP_OK || create("{}", &scene) != FP_OK || fp_launch(scene, zero, kick, zero, &state) != FP_OK) return 2;
     before = state;
 
     EXPECT(FP_ABI, "allowed: (2, 216, 120, 160)", fp_check_abi(1, 216, 120, 160));
