@@ -9,7 +9,7 @@ namespace FootballPhysics.Package.Tests;
 /// <summary>
 /// Compiles and runs every C# block of README.md, CONTRIBUTING.md, docs/ and docs/internals/. A block is a program of its own; <c>csharp continued</c> goes on where
 /// the block before it ended; <c>csharp unity</c> and <c>csharp godot</c> are classes for the engine's project and are compiled against
-/// the shims, as are the programs <c>csharp monogame</c> and <c>csharp raylib</c>. A <c>text</c> block right after a program is what it prints.
+/// the shims, as are the programs <c>csharp monogame</c> and <c>csharp raylib</c>. A <c>csharp recipe</c> is compiled against stand-ins of Unity's packages; RecipeTests plays it. A <c>text</c> block right after a program is what it prints.
 /// </summary>
 [Collection(EngineTests.Statics)]
 public sealed class DocTests
@@ -74,6 +74,14 @@ public sealed class DocTests
         }
     }
 
+    /// <summary>Compiles the recipe of a page that declares a type, and loads it.</summary>
+    public static System.Reflection.Assembly Recipe(string page, string type)
+    {
+        Block block = Blocks(page).Single(item => item.Kind == "csharp recipe" && item.Code.Contains(" " + type + " ", StringComparison.Ordinal));
+        using MemoryStream bytes = Compile(block);
+        return new AssemblyLoadContext(null, isCollectible: true).LoadFromStream(bytes);
+    }
+
     private static List<Block> Blocks(string page)
     {
         var blocks = new List<Block>();
@@ -103,24 +111,13 @@ public sealed class DocTests
 
     private static string Run(Block block)
     {
-        bool engine = block.Kind is "csharp unity" or "csharp godot";
-        var options = new CSharpParseOptions(block.Kind == "csharp unity" ? LanguageVersion.CSharp9 : LanguageVersion.CSharp13);
-        var trees = new List<SyntaxTree> { CSharpSyntaxTree.ParseText(block.Code, options) };
-        if (!engine)
+        using MemoryStream bytes = Compile(block);
+        string said = block.Kind switch
         {
-            trees.Add(CSharpSyntaxTree.ParseText(string.Concat(s_usings.Select(name => $"global using {name};\n")), options));
-        }
-
-        var compilation = CSharpCompilation.Create(
-            "Doc" + Guid.NewGuid().ToString("N"),
-            trees,
-            References(block.Kind),
-            new CSharpCompilationOptions(engine ? OutputKind.DynamicallyLinkedLibrary : OutputKind.ConsoleApplication, nullableContextOptions: engine ? NullableContextOptions.Disable : NullableContextOptions.Enable));
-        using var bytes = new MemoryStream();
-        var result = compilation.Emit(bytes);
-        var problems = result.Diagnostics.Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").ToList();
-        Assert.True(problems.Count == 0, $"line {block.Line}:\n{string.Join('\n', problems)}\n{block.Code}");
-        string said = engine ? Load(bytes, block) : Execute(bytes, block);
+            "csharp recipe" => "",
+            "csharp unity" or "csharp godot" => Load(bytes, block),
+            _ => Execute(bytes, block),
+        };
         if (block.Kind == "csharp monogame")
         {
             CheckMonoGame();
@@ -131,6 +128,29 @@ public sealed class DocTests
         }
 
         return said;
+    }
+
+    private static MemoryStream Compile(Block block)
+    {
+        bool engine = block.Kind is "csharp unity" or "csharp godot" or "csharp recipe";
+        var options = new CSharpParseOptions(block.Kind is "csharp unity" or "csharp recipe" ? LanguageVersion.CSharp9 : LanguageVersion.CSharp13);
+        var trees = new List<SyntaxTree> { CSharpSyntaxTree.ParseText(block.Code, options) };
+        if (!engine)
+        {
+            trees.Add(CSharpSyntaxTree.ParseText(string.Concat(s_usings.Select(name => $"global using {name};\n")), options));
+        }
+
+        var compilation = CSharpCompilation.Create(
+            "Doc" + Guid.NewGuid().ToString("N"),
+            trees,
+            References(block.Kind),
+            new CSharpCompilationOptions(engine ? OutputKind.DynamicallyLinkedLibrary : OutputKind.ConsoleApplication, nullableContextOptions: engine ? NullableContextOptions.Disable : NullableContextOptions.Enable, allowUnsafe: block.Kind == "csharp recipe"));
+        var bytes = new MemoryStream();
+        var result = compilation.Emit(bytes);
+        var problems = result.Diagnostics.Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").ToList();
+        Assert.True(problems.Count == 0, $"line {block.Line}:\n{string.Join('\n', problems)}\n{block.Code}");
+        bytes.Position = 0;
+        return bytes;
     }
 
     private static string Execute(MemoryStream bytes, Block block)
@@ -242,12 +262,13 @@ public sealed class DocTests
 
     private static IEnumerable<MetadataReference> References(string kind)
     {
-        bool engine = kind is "csharp unity" or "csharp godot";
+        bool engine = kind is "csharp unity" or "csharp godot" or "csharp recipe";
         bool framework = kind is "csharp monogame" or "csharp raylib";
         return TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file)
             || file is "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
             || (framework && file is "Frameworks.dll")
-            || (engine && (file.StartsWith("Football.Physics.", StringComparison.Ordinal) || file is "GodotSharp.dll" or "UnityEngine.dll")));
+            || (engine && (file.StartsWith("Football.Physics.", StringComparison.Ordinal) || file is "GodotSharp.dll" or "UnityEngine.dll"))
+            || (kind == "csharp recipe" && file is "Netcode.dll"));
     }
 
     private sealed record Block(string Kind, string Code, int Line, string? Prints, int PrintsLine, int PrintsLines);

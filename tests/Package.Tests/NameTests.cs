@@ -16,7 +16,7 @@ public sealed partial class NameTests
         // .NET and its tools
         "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary", "VersionPrefix", "ProjectUrl",
         // Unreal, Rust, Python, JavaScript
-        "ThirdParty", "PublicIncludePaths", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
+        "ThirdParty", "PublicIncludePaths", "PublicDelayLoadDLLs", "football_physics.dll", "FPlatformProcess", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
         // kloppy
         "TrackingDataset",
         // Netcode, Quantum, netfox
