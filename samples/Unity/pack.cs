@@ -5,6 +5,7 @@
 // Builds the library and its engine part for Unity, puts them into the package's Plugins, and packs the package for the package manager. It needs only the .NET SDK.
 //   dotnet run samples/Unity/pack.cs [DIR]                  the .tgz in DIR (default out)
 //   dotnet run samples/Unity/pack.cs --branch NAME          the built package as the only content of a git branch, for Unity's "Install package from git URL"
+// --native DIR, before these and as often as you like: with the C library that src/Football.Physics.Native/build.sh built into DIR, for jobs in Burst.
 // FOOTBALL_ADDRESS=https://… is the address of the repository's pages, for the links of the package manager; default the address of "origin".
 using System.Diagnostics;
 using System.Formats.Tar;
@@ -14,9 +15,17 @@ using System.Text.RegularExpressions;
 
 string root = AppContext.GetData("EntryPointFileDirectoryPath") is string folder ? Path.GetFullPath(Path.Combine(folder, "../..")) : Environment.CurrentDirectory;
 string package = Path.Combine(root, "samples/Unity/com.football.physics");
+
+// The C libraries: path in the package, source, and the names of the platform in a .meta file.
+var natives = new SortedDictionary<string, byte[]>(StringComparer.Ordinal);
+while (args is ["--native", string prefix, ..] && AddNative(Path.GetFullPath(prefix)))
+{
+    args = args[2..];
+}
+
 if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0] != "--branch") || (args.Length == 1 && args[0].StartsWith('-')))
 {
-    Console.Error.WriteLine("Usage: dotnet run samples/Unity/pack.cs [DIR | --branch NAME]");
+    Console.Error.WriteLine("Usage: dotnet run samples/Unity/pack.cs [--native DIR]... [DIR | --branch NAME]");
     return 2;
 }
 
@@ -33,7 +42,7 @@ foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines
 
 string version = Run("dotnet", ["msbuild", Path.Combine(root, "src/Football.Physics"), "-t:FindVersion", "-getProperty:Version"]);
 string manifest = WithLinks(Regex.Replace(File.ReadAllText(Path.Combine(package, "package.json")), "\"version\": \".*\"", $"\"version\": \"{version}\""));
-string[] files = [.. Directory.EnumerateFiles(package, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(package, file).Replace('\\', '/')).Order(StringComparer.Ordinal)];
+string[] files = [.. Directory.EnumerateFiles(package, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(package, file).Replace('\\', '/')).Concat(natives.Keys).Order(StringComparer.Ordinal)];
 if (args is ["--branch", string branch])
 {
     WriteBranch(branch);
@@ -99,7 +108,58 @@ void WriteBranch(string name)
     Console.WriteLine($"{name}: {commit}");
 }
 
-byte[] Content(string file) => file == "package.json" ? Encoding.UTF8.GetBytes(manifest) : File.ReadAllBytes(Path.Combine(package, file));
+// Adds the libraries of a folder that build.sh wrote, each with its .meta file. Returns false if there is none.
+bool AddNative(string prefix)
+{
+    (string File, string Folder, string Platform, string System, string Processor)[] all =
+    [
+        ("lib/libfootball_physics.so", "Linux", "Linux64", "Linux", "x86_64"),
+        ("lib/libfootball_physics.dylib", "macOS", "OSXUniversal", "OSX", "ARM64"),
+        ("bin/football_physics.dll", "Windows", "Win64", "Windows", "x86_64"),
+    ];
+    bool found = false;
+    foreach ((string file, string directory, string platform, string system, string processor) in all.Where(item => File.Exists(Path.Combine(prefix, item.File))))
+    {
+        string target = $"Plugins/{directory}/{Path.GetFileName(file)}";
+        natives[target] = File.ReadAllBytes(Path.Combine(prefix, file));
+        natives[target + ".meta"] = Encoding.UTF8.GetBytes($"""
+            fileFormatVersion: 2
+            guid: {GuidOf(target)}
+            PluginImporter:
+              serializedVersion: 2
+              isPreloaded: 0
+              platformData:
+              - first:
+                  Any:
+                second:
+                  enabled: 0
+                  settings: {"{}"}
+              - first:
+                  Editor: Editor
+                second:
+                  enabled: 1
+                  settings:
+                    CPU: {processor}
+                    OS: {system}
+              - first:
+                  Standalone: {platform}
+                second:
+                  enabled: 1
+                  settings:
+                    CPU: {processor}
+
+            """.ReplaceLineEndings("\n"));
+        natives[$"Plugins/{directory}.meta"] = Encoding.UTF8.GetBytes($"fileFormatVersion: 2\nguid: {GuidOf($"Plugins/{directory}")}\nfolderAsset: yes\nDefaultImporter:\n  externalObjects: {{}}\n");
+        found = true;
+    }
+
+    return found;
+}
+
+// Returns the GUID of a file of the package, which stays the same.
+static string GuidOf(string path) => Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(Encoding.UTF8.GetBytes("com.football.physics/" + path)))[..32];
+
+byte[] Content(string file) => natives.TryGetValue(file, out byte[]? native) ? native : file == "package.json" ? Encoding.UTF8.GetBytes(manifest) : File.ReadAllBytes(Path.Combine(package, file));
 
 // Returns the text with absolute links, which need an address. Without an address, the package manager opens the files in the package.
 string WithLinks(string text)
