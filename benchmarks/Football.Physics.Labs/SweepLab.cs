@@ -116,7 +116,7 @@ internal static class SweepLab
             var identity = new Identity("football lab", format, plan.Seed, count, plan.Text);
             (double, double) measured = Measure(count, () =>
             {
-                using FolderSink sink = FolderSink.Open(path, identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System);
+                using FolderSink sink = FolderSink.Open(path, identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.NoRows, TimeProvider.System);
                 run.RunAsync(new Shard(1, 1, count), sink, _ => { }).GetAwaiter().GetResult();
             });
             bytes = run.Format.Files.Sum(file => new FileInfo(Path.Combine(path, file)).Length);

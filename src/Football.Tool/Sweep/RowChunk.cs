@@ -11,6 +11,6 @@ internal sealed class RowChunk(int files)
     /// <summary>The number of rows.</summary>
     public int Rows { get; set; }
 
-    /// <summary>The number of these rows that the SIMD batch passed to the scalar simulation.</summary>
-    public long FlownSingly { get; set; }
+    /// <summary>The counts of these rows.</summary>
+    public RowCounts Counts { get; set; }
 }

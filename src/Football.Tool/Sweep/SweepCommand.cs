@@ -127,8 +127,13 @@ internal static class SweepCommand
         progress =>
         {
             // The outputs of consecutive parts share one header, when joined.
-            using var sink = new StreamSink(terminal.Output, shard.Index == 1 ? run.Format.Header(0, shard.Rows) : []);
+            using var sink = new StreamSink(terminal.Output, shard.Index == 1 ? run.Format.Header(0, shard.Rows) : [], run.NoRows);
             run.RunAsync(shard, sink, rows => progress.Report(rows, shard.Rows)).GetAwaiter().GetResult();
+            if (SweepReport.Unknown(sink) is { } unknown)
+            {
+                terminal.Person.WriteLine(unknown);
+            }
+
             return ExitCode.Done;
         },
         writes: true);
@@ -136,7 +141,7 @@ internal static class SweepCommand
     private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, bool verifies, Terminal terminal)
     {
         var identity = new Identity(Program, run.Format.Name, plan.Seed, shard.Count, plan.Text);
-        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System, verifies);
+        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.NoRows, TimeProvider.System, verifies);
         string line = Progress.Show(
             terminal,
             "rows",
@@ -144,7 +149,7 @@ internal static class SweepCommand
             {
                 var report = new SweepReport(terminal, progress, sink, shard.Rows);
                 run.RunAsync(shard, sink, report.Show).GetAwaiter().GetResult();
-                return report.Line(folder, run.CountsHandedOn);
+                return report.Line(folder);
             });
         terminal.Person.WriteLine(line);
         return ExitCode.Done;

@@ -130,7 +130,7 @@ internal sealed class SweepMerge
             first.Identity,
             new Shard(1, 1, first.Identity.Count),
             first.Identity.Count,
-            first.FlownSingly is null ? null : shards.Sum(shard => shard.Manifest.FlownSingly),
+            shards.Select(shard => shard.Manifest.Counts).Aggregate((sum, counts) => sum + counts),
             files);
     }
 

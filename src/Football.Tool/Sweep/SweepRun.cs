@@ -32,7 +32,7 @@ internal sealed class SweepRun
         _jobs = jobs;
         var first = RowMaker.Create(plan, 1);
         Columns = [.. first.Columns.Select(data => data.Column)];
-        CountsHandedOn = first.FlownSingly is not null;
+        NoRows = first.Counts;
         Format = RowFormat.Create(format, Columns);
         _rows = Format.RowsAtOnce(Columns.Sum(column => column.Size * sizeof(double)));
     }
@@ -42,8 +42,8 @@ internal sealed class SweepRun
     /// <summary>The file format.</summary>
     public RowFormat Format { get; }
 
-    /// <summary>True if the output counts the rows that the SIMD batch passes to the scalar simulation.</summary>
-    public bool CountsHandedOn { get; }
+    /// <summary>The counts of no rows: zero for each count that the output has, null for the others.</summary>
+    public RowCounts NoRows { get; }
 
     /// <summary>Computes the rows that a sink does not contain yet.</summary>
     /// <param name="shard">The part of the sweep.</param>
@@ -59,7 +59,7 @@ internal sealed class SweepRun
         {
             await foreach (RowChunk chunk in work.ReceiveAllAsync().ConfigureAwait(false))
             {
-                sink.Add(chunk.Files, chunk.Rows, chunk.FlownSingly);
+                sink.Add(chunk.Files, chunk.Rows, chunk.Counts);
                 _chunks.Add(chunk);
                 report(sink.Rows);
             }
@@ -97,7 +97,7 @@ internal sealed class SweepRun
 
         Format.Write(maker.Columns, count, chunk.Files);
         chunk.Rows = count;
-        chunk.FlownSingly = maker.FlownSingly ?? 0;
+        chunk.Counts = maker.Counts;
         _makers.Add(maker);
         return chunk;
     }

@@ -46,13 +46,13 @@ public sealed class ParquetTests : IDisposable
         SweepPlan plan = SweepInput.Read(InputCase.Read(new InputLine("{}"u8.ToArray(), false), []).Scenario!, 1);
         var run = new SweepRun(plan, "parquet", 1);
         Identity identity = Manifest.Read(At("program"), Manifest.Done)!.Identity with { Count = Rows };
-        using (FolderSink sink = FolderSink.Open(At("cut"), identity, new Shard(1, 1, Rows), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System))
+        using (FolderSink sink = FolderSink.Open(At("cut"), identity, new Shard(1, 1, Rows), run.Format, Schema.Text(run.Columns, run.Format), run.NoRows, TimeProvider.System))
         {
             var maker = RowMaker.Create(plan, ParquetFormat.GroupRows);
             maker.Make(0, ParquetFormat.GroupRows);
             ArrayBufferWriter<byte>[] files = [new()];
             run.Format.Write(maker.Columns, ParquetFormat.GroupRows, files);
-            sink.Add(files, ParquetFormat.GroupRows, maker.FlownSingly ?? 0);
+            sink.Add(files, ParquetFormat.GroupRows, maker.Counts);
             sink.Checkpoint();
         }
 
@@ -79,6 +79,35 @@ public sealed class ParquetTests : IDisposable
             Query(database, $"select * from '{At("one", "rows.parquet")}'").Select(row => string.Join('|', row)),
             Query(database, $"select * from '{At("parts", "rows.parquet")}'").Select(row => string.Join('|', row)));
         Assert.Contains("all there before", Write("parquet", "parts", 1000, "--verify").Error);
+    }
+
+    [Fact]
+    public void A_missing_word_is_null_for_a_database_and_255_for_NumPy()
+    {
+        // Without friction, a ball along the goal line bounces between two boards for ever; a ball towards the goal scores.
+        const string Board = "\"shape\": \"box\", \"halfSize\": [0.1, 20, 30], \"surface\": {\"normalRestitution\": 1, \"slidingFriction\": 0}";
+        const string Scene = "{\"goals\": [{\"center\": [0, 0, -12], \"facing\": [0, 0, 1]}], \"air\": {\"density\": 0}, \"ground\": {\"slidingFriction\": 0, \"rollingFriction\": 0, \"spinDamping\": 0}, "
+            + $"\"obstacles\": [{{\"center\": [-9, 20, 0], {Board}}}, {{\"center\": [9, 20, 0], {Board}}}], "
+            + "\"launch\": {\"position\": [0, 0.11, 0], \"speed\": 12, \"elevation\": 0, \"azimuth\": {\"list\": [90, 0, -3]}}, \"row\": {\"columns\": [\"index\", \"azimuth\", \"outcome\", \"end\"]}}";
+        string Outcome(object azimuth) => (double)azimuth == 90 ? "" : "goal";
+        foreach (string format in (string[])["parquet", "npy"])
+        {
+            FootballCommand done = FootballCommand.Run(Scene, "sweep", "-", "--count", "101", "--format", format, "--out", At(format));
+            Assert.True(done.ExitCode == 0, done.Error);
+            Assert.Matches(@"The outcome of \d+ of 101 rows is unknown \(\d+: the ball still moves", done.Error);
+        }
+
+        using DuckDBConnection database = Open();
+        List<object[]> rows = Query(database, $"select azimuth, outcome, \"end\" from '{At("parquet", "rows.parquet")}' order by index");
+        Assert.Equal(rows.Select(row => Outcome(row[0])), rows.Select(row => row[1] as string ?? ""));
+        Assert.All(rows, row => Assert.Contains((string)row[2], (string[])["impact", "time"]));
+        int missing = rows.Count(row => Outcome(row[0]).Length == 0);
+        Assert.InRange(missing, 1, 100);
+        Assert.Equal(missing, (int)(long)Query(database, $"select count(*) from '{At("parquet", "rows.parquet")}' where outcome is null")[0][0]);
+        byte[] codes = File.ReadAllBytes(At("npy", "outcome.npy"))[^101..];
+        Assert.Equal(rows.Select(row => Outcome(row[0])), codes.Select(code => code == 255 ? "" : "goal"));
+        Assert.Contains("\"missing\": 255", File.ReadAllText(At("npy", "schema.json")));
+        Assert.Contains($"\"stillMoving\": {missing}", File.ReadAllText(At("npy", "manifest.json")));
     }
 
     [Fact]

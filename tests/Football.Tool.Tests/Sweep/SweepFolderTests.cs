@@ -250,14 +250,14 @@ public sealed class SweepFolderTests : IDisposable
         var run = new SweepRun(plan, format, 1);
         Write(format, "program", 1);
         Identity identity = Manifest.Read(At("program"), Manifest.Done)!.Identity with { Count = count };
-        using FolderSink sink = FolderSink.Open(At(folder), identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, new StillTime());
+        using FolderSink sink = FolderSink.Open(At(folder), identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.NoRows, new StillTime());
         RowMaker maker = RowMaker.Create(plan, 110);
         foreach ((int first, int rows) in (ReadOnlySpan<(int, int)>)[(0, 110), (110, 90)])
         {
             ArrayBufferWriter<byte>[] files = [.. run.Format.Files.Select(_ => new ArrayBufferWriter<byte>())];
             maker.Make(first, rows);
             run.Format.Write(maker.Columns, rows, files);
-            sink.Add(files, rows, maker.FlownSingly ?? 0);
+            sink.Add(files, rows, maker.Counts);
             if (first == 0)
             {
                 sink.Checkpoint();

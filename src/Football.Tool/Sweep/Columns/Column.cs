@@ -10,6 +10,9 @@ internal sealed record Column(string Name, ColumnKind Kind, string Unit, string 
     /// <summary>The maximum number of different words in a column: a word's index is stored in one byte.</summary>
     public const int MostWords = 256;
 
+    /// <summary>The code of a missing word. A column that can miss words has fewer than <see cref="MostWords"/>.</summary>
+    public const byte Missing = 255;
+
     private static readonly string[] s_xyz = ["x", "y", "z"];
 
     /// <summary>The names of the elements along each axis of a value; no axes for a single number.</summary>
@@ -17,6 +20,9 @@ internal sealed record Column(string Name, ColumnKind Kind, string Unit, string 
 
     /// <summary>The words that occur in a column of words.</summary>
     public IReadOnlyList<string> Words { get; init; } = [];
+
+    /// <summary>True if a word can be missing; its code is then <see cref="Missing"/>. Default false.</summary>
+    public bool CanMiss { get; init; }
 
     /// <summary>The number of elements in each row.</summary>
     public int Size { get; private init; } = 1;

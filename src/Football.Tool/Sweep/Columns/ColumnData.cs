@@ -15,7 +15,7 @@ internal sealed class ColumnData(Column column, int capacity)
     /// <summary>The values of a column of whole numbers, row by row.</summary>
     public long[] Wholes { get; } = column.Kind == ColumnKind.Whole ? new long[capacity * column.Size] : [];
 
-    /// <summary>The values of a column of words, row by row: indices into <see cref="Column.Words"/>.</summary>
+    /// <summary>The values of a column of words, row by row: indices into <see cref="Column.Words"/>, or <see cref="Column.Missing"/>.</summary>
     public byte[] Words { get; } = column.Kind == ColumnKind.Word ? new byte[capacity * column.Size] : [];
 
     /// <summary>Sets a vector.</summary>

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>CSV (RFC 4180): a line of names, then one line of values per row. A missing number is empty.</summary>
+/// <summary>CSV (RFC 4180): a line of names, then one line of values per row. A missing value is empty.</summary>
 internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
 {
     /// <summary>The maximum length of a number, in bytes.</summary>
@@ -50,7 +50,7 @@ internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
         switch (column.Column.Kind)
         {
             case ColumnKind.Word:
-                text.Write(words[column.Words[place]]);
+                text.Write(column.Column.CanMiss && column.Words[place] == Column.Missing ? [] : words[column.Words[place]]);
                 return;
             case ColumnKind.Whole:
                 Utf8Formatter.TryFormat(column.Wholes[place], text.GetSpan(LongestNumber), out written);

@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>JSON: one object per line. A missing number is null.</summary>
+/// <summary>JSON: one object per line. A missing value is null.</summary>
 internal sealed class NdjsonFormat : RowFormat
 {
     private static readonly JsonWriterOptions s_options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
@@ -61,6 +61,9 @@ internal sealed class NdjsonFormat : RowFormat
     {
         switch (column.Column.Kind)
         {
+            case ColumnKind.Word when column.Column.CanMiss && column.Words[place] == Column.Missing:
+                json.WriteNullValue();
+                break;
             case ColumnKind.Word:
                 json.WriteStringValue(column.Column.Words[column.Words[place]]);
                 break;

@@ -11,8 +11,9 @@ namespace FootballPhysics.Tool.Sweep.Formats;
 /// </summary>
 /// <remarks>
 /// Format: parquet.apache.org/docs/file-format. A row group has one page per column: DOUBLE and INT64 as PLAIN, words as RLE_DICTIONARY in one
-/// bit-packed run of eight bits, after the page of their dictionary. Nothing is compressed or null: a missing number is NaN. The metadata contain
-/// schema.json. Parquet.Net 6.1.0 does not fit here. It writes the metadata of all row groups when its writer ends. It refuses to append to a file
+/// bit-packed run of eight bits, after the page of their dictionary. Nothing is compressed, and a missing number is NaN. A column that can miss words is
+/// OPTIONAL: one bit per row says whether the row has a word, and the words that exist are stored densely. The run keeps its full length, so that the
+/// number of rows alone determines the length; readers stop after the last word. The metadata contain schema.json. Parquet.Net 6.1.0 does not fit here. It writes the metadata of all row groups when its writer ends. It refuses to append to a file
 /// whose writer was killed ("not a parquet file"). Its writer takes row groups from one thread only. This class writes row groups of several threads,
 /// and continues a file from any checkpoint. It computes the length of a file before the first row, and merges shards without reading their rows.
 /// Snappy would save 7 % of random doubles.
@@ -30,6 +31,7 @@ internal sealed class ParquetFormat(IReadOnlyList<Column> columns) : RowFormat
     private const int EncodingDictionary = 8;
     private const int PageData = 0;
     private const int PageDictionary = 2;
+    private const int LongestRunHeader = 5;
 
     /// <summary>The metadata key of the schema with units and meanings (schema.json).</summary>
     private const string SchemaKey = "schema";
@@ -63,10 +65,21 @@ internal sealed class ParquetFormat(IReadOnlyList<Column> columns) : RowFormat
             switch (leaf.Column.Kind)
             {
                 case ColumnKind.Word:
-                    int begin = WordsBegin(page, rows);
+                    int levels = leaf.Column.CanMiss ? LevelsBegin(page, rows) : 0;
+                    int begin = WordsBegin(page, leaf.Column, rows);
                     for (int row = 0; row < rows; row++)
                     {
-                        page[begin + row] = column.Words[(row * size) + leaf.Place];
+                        byte word = column.Words[(row * size) + leaf.Place];
+                        if (leaf.Column.CanMiss && word == Column.Missing)
+                        {
+                            continue;
+                        }
+
+                        page[begin++] = word;
+                        if (leaf.Column.CanMiss)
+                        {
+                            page[levels + (row / 8)] |= (byte)(1 << (row % 8));
+                        }
                     }
 
                     break;
@@ -129,8 +142,8 @@ internal sealed class ParquetFormat(IReadOnlyList<Column> columns) : RowFormat
             return;
         }
 
-        // The repetition type REQUIRED (0).
-        to.Number(1, leaf.Type).Number(3, 0).Text(4, leaf.Name);
+        // The repetition type REQUIRED (0) or OPTIONAL (1).
+        to.Number(1, leaf.Type).Number(3, leaf.Column.CanMiss ? 1 : 0).Text(4, leaf.Name);
         if (leaf.Column.Kind == ColumnKind.Word)
         {
             // The converted type UTF8 (0).
@@ -186,23 +199,46 @@ internal sealed class ParquetFormat(IReadOnlyList<Column> columns) : RowFormat
             return 8 * rows;
         }
 
-        Span<byte> header = stackalloc byte[8];
-        return WordsBegin(header, rows) + (8 * ((rows + 7) / 8));
+        Span<byte> header = stackalloc byte[LongestRunHeader];
+        return (leaf.Column.CanMiss ? LevelsBytes(rows) : 0) + Run(header, rows) + 1 + (8 * ((rows + 7) / 8));
     }
 
-    /// <summary>Writes the bit width of an index and the length of the run. The length counts groups of eight; its lowest bit marks a bit-packed run.</summary>
-    /// <returns>The offset of the indices.</returns>
-    private static int WordsBegin(Span<byte> page, int rows)
+    /// <summary>Returns the length of the bits that say which rows have a word: a length of four bytes, and one bit-packed run.</summary>
+    private static int LevelsBytes(int rows)
     {
-        page[0] = 8;
-        int place = 1;
+        Span<byte> header = stackalloc byte[LongestRunHeader];
+        return sizeof(int) + Run(header, rows) + ((rows + 7) / 8);
+    }
+
+    /// <summary>Writes the length of these bits and the header of their run.</summary>
+    /// <returns>The offset of the bits.</returns>
+    private static int LevelsBegin(Span<byte> page, int rows)
+    {
+        BinaryPrimitives.WriteInt32LittleEndian(page, LevelsBytes(rows) - sizeof(int));
+        return sizeof(int) + Run(page[sizeof(int)..], rows);
+    }
+
+    /// <summary>Writes the bit width of an index and the header of the run.</summary>
+    /// <returns>The offset of the indices.</returns>
+    private static int WordsBegin(Span<byte> page, Column column, int rows)
+    {
+        int at = column.CanMiss ? LevelsBytes(rows) : 0;
+        page[at] = 8;
+        return at + 1 + Run(page[(at + 1)..], rows);
+    }
+
+    /// <summary>Writes the length of a bit-packed run of all rows. The length counts groups of eight; its lowest bit marks a bit-packed run.</summary>
+    /// <returns>The length of the header.</returns>
+    private static int Run(Span<byte> to, int rows)
+    {
+        int place = 0;
         uint run = (((uint)rows + 7) / 8 << 1) | 1;
         for (; run >= 0x80; run >>= 7)
         {
-            page[place++] = (byte)(run | 0x80);
+            to[place++] = (byte)(run | 0x80);
         }
 
-        page[place++] = (byte)run;
+        to[place++] = (byte)run;
         return place;
     }
 

@@ -17,7 +17,6 @@ internal sealed class FolderSink : RowSink
     private readonly string _folder;
     private readonly Identity _identity;
     private readonly Shard _shard;
-    private readonly bool _countsHandedOn;
     private readonly FileRecord _schema;
     private readonly RowFormat _format;
     private readonly List<DataFile> _files = [];
@@ -25,12 +24,12 @@ internal sealed class FolderSink : RowSink
     private long _lastCheckpoint;
     private TimeSpan _untilCheckpoint = s_untilFirst;
 
-    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, RowFormat format, TimeProvider time)
+    private FolderSink(string folder, Identity identity, Shard shard, RowCounts noRows, FileRecord schema, RowFormat format, TimeProvider time)
+        : base(noRows)
     {
         _folder = folder;
         _identity = identity;
         _shard = shard;
-        _countsHandedOn = countsHandedOn;
         _schema = schema;
         _format = format;
         _time = time;
@@ -46,11 +45,11 @@ internal sealed class FolderSink : RowSink
     /// <param name="shard">The part of the sweep.</param>
     /// <param name="format">The file format.</param>
     /// <param name="schema">The schema of the columns.</param>
-    /// <param name="countsHandedOn">True to count the rows that the SIMD batch passes to the scalar simulation.</param>
+    /// <param name="noRows">The counts of no rows.</param>
     /// <param name="time">The clock by which checkpoints are due.</param>
     /// <param name="verifies">True to read a finished folder and check its hashes. Default false.</param>
     /// <exception cref="RefusedException">The folder contains other files, or the disk is too full.</exception>
-    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time, bool verifies = false)
+    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, RowCounts noRows, TimeProvider time, bool verifies = false)
     {
         try
         {
@@ -68,7 +67,7 @@ internal sealed class FolderSink : RowSink
             throw new RefusedException($"--out {Quote.File(folder)} contains another sweep ({difference}). Pass a new folder, or the folder of an interrupted run of the same sweep.");
         }
 
-        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
+        var sink = new FolderSink(folder, identity, shard, noRows, Schema.Record(schema), format, time);
         try
         {
             sink.Begin(done, begun, format, schema, verifies);
@@ -126,12 +125,12 @@ internal sealed class FolderSink : RowSink
         }
     }
 
-    private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? FlownSingly : null, [.. _files.Select(file => file.Record), _schema]);
+    private Manifest Now => new(_identity, _shard, Rows, Counts, [.. _files.Select(file => file.Record), _schema]);
 
     private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema, bool verifies)
     {
         Rows = begun?.Rows ?? 0;
-        FlownSingly = begun?.FlownSingly ?? 0;
+        Counts = begun?.Counts ?? Counts;
         WasDone = done is not null;
         if (done is not null)
         {

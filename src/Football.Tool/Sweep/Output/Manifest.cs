@@ -9,9 +9,9 @@ namespace FootballPhysics.Tool.Sweep.Output;
 /// <param name="Identity">The sweep.</param>
 /// <param name="Shard">The part of the sweep.</param>
 /// <param name="Rows">The number of rows written; in a finished folder, that of the part.</param>
-/// <param name="FlownSingly">The number of rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</param>
+/// <param name="Counts">The counts of these rows.</param>
 /// <param name="Files">The files.</param>
-internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? FlownSingly, IReadOnlyList<FileRecord> Files)
+internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, RowCounts Counts, IReadOnlyList<FileRecord> Files)
 {
     /// <summary>The name of the file in a finished folder.</summary>
     public const string Done = "manifest.json";
@@ -67,7 +67,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
 
             // A row has at least one byte in each data file. More rows than bytes would need a footer that fills the memory.
             Check(path, "rows", rows, 0, files.Where(file => file.Name != Schema.Name).Select(file => file.Bytes).Append(part.Rows).Min());
-            return new Manifest(identity, part, rows, root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null, files);
+            return new Manifest(identity, part, rows, CountsOf(root), files);
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
         {
@@ -91,6 +91,14 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
         }
 
         File.Move(whole, path, overwrite: true);
+    }
+
+    private static RowCounts CountsOf(JsonElement root)
+    {
+        bool has = root.TryGetProperty("unknownOutcomes", out JsonElement unknown);
+        long? Unknown(string name) => has ? unknown.GetProperty(name).GetInt64() : null;
+        return new RowCounts(
+            root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null, Unknown("stillMoving"), Unknown("tooManyEvents"), Unknown("overflowed"));
     }
 
     private static FileRecord ReadFile(string path, int index, JsonElement file)
@@ -130,9 +138,18 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             json.WriteNumber("first", Shard.First);
             json.WriteEndObject();
             json.WriteNumber("rows", Rows);
-            if (FlownSingly is { } handedOn)
+            if (Counts.HandedOn is { } handedOn)
             {
                 json.WriteNumber("handedOn", handedOn);
+            }
+
+            if (Counts is { StillMoving: { } moving, TooManyEvents: { } events, Overflowed: { } overflowed })
+            {
+                json.WriteStartObject("unknownOutcomes");
+                json.WriteNumber("stillMoving", moving);
+                json.WriteNumber("tooManyEvents", events);
+                json.WriteNumber("overflowed", overflowed);
+                json.WriteEndObject();
             }
 
             json.WriteStartArray("files");

@@ -3,23 +3,24 @@ using System.Buffers;
 namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>A destination of rows.</summary>
-internal abstract class RowSink : IDisposable
+/// <param name="counts">The counts of no rows.</param>
+internal abstract class RowSink(RowCounts counts) : IDisposable
 {
     /// <summary>The number of rows written, including those of earlier runs.</summary>
     public long Rows { get; protected set; }
 
-    /// <summary>The number of these rows that the SIMD batch passed to the scalar simulation.</summary>
-    public long FlownSingly { get; protected set; }
+    /// <summary>The counts of these rows.</summary>
+    public RowCounts Counts { get; protected set; } = counts;
 
     /// <summary>Adds rows.</summary>
     /// <param name="files">The bytes to append to each file.</param>
     /// <param name="rows">The number of rows.</param>
-    /// <param name="handedOn">The number of these rows that the SIMD batch passed to the scalar simulation.</param>
-    public void Add(IReadOnlyList<ArrayBufferWriter<byte>> files, int rows, long handedOn)
+    /// <param name="counts">The counts of these rows.</param>
+    public void Add(IReadOnlyList<ArrayBufferWriter<byte>> files, int rows, RowCounts counts)
     {
         Write(files);
         Rows += rows;
-        FlownSingly += handedOn;
+        Counts += counts;
         Added();
     }
 

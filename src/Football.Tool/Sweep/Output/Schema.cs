@@ -61,6 +61,7 @@ internal static class Schema
         var column = new Column(from.GetProperty("name").GetString()!, kind, from.GetProperty("unit").GetString()!, from.GetProperty("meaning").GetString()!)
         {
             Words = from.TryGetProperty("words", out JsonElement words) ? Names(words) : [],
+            CanMiss = from.TryGetProperty("missing", out _),
         };
         return axes.Reverse().Aggregate(column, (inner, axis) => inner.Along(axis));
     }
@@ -90,6 +91,10 @@ internal static class Schema
         {
             json.WritePropertyName("words");
             Write(json, column.Words);
+            if (column.CanMiss)
+            {
+                json.WriteNumber("missing", Columns.Column.Missing);
+            }
         }
 
         json.WriteEndObject();

@@ -7,7 +7,8 @@ internal sealed class StreamSink : RowSink
 {
     private readonly Stream _output;
 
-    public StreamSink(Stream output, byte[] header)
+    public StreamSink(Stream output, byte[] header, RowCounts noRows)
+        : base(noRows)
     {
         _output = output;
         _output.Write(header);

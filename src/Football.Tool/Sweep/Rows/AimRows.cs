@@ -13,7 +13,7 @@ internal sealed class AimRows : RowMaker
     public AimRows(SweepPlan plan, int capacity)
         : base(plan, capacity) => _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene));
 
-    public override long? FlownSingly => null;
+    public override RowCounts Counts => new(null);
 
     /// <summary>The names of the statuses, in the order of <see cref="AimStatus"/>.</summary>
     public static string[] Statuses { get; } = [.. Enum.GetValues<AimStatus>().Select(status => Words.Of(status))];

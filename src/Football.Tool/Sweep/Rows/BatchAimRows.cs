@@ -23,7 +23,7 @@ internal sealed class BatchAimRows : RowMaker
         };
     }
 
-    public override long? FlownSingly => _aimer.ScalarFallbackCount;
+    public override RowCounts Counts => new(_aimer.ScalarFallbackCount);
 
     protected override void Answer(int count)
     {

@@ -24,7 +24,7 @@ internal sealed class FlightRows : LaunchRows
         _sceneFlights = new BatchFlights(several);
     }
 
-    public override long? FlownSingly => _handedOn;
+    public override RowCounts Counts => new(_handedOn);
 
     protected override void Answer(int count)
     {

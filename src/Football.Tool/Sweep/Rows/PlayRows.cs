@@ -8,11 +8,23 @@ internal sealed class PlayRows : LaunchRows
 {
     private const string NoThing = "none";
 
+    /// <summary>The minimum time after which the outcome of a moving ball is unknown, in s. A ball rolls on grass for less than 30 s.</summary>
+    private const double LongestFlight = 60;
+
+    /// <summary>The distance from every goal beyond which a ball that moves away is out, in m. Wind can roll a ball on for ever.</summary>
+    private const double OutDistance = 100;
+    private const string OutcomeName = "outcome";
+
     private static readonly string[] s_outcomes = ["miss", "goal", "post", "save"];
     private static readonly string[] s_kinds = [.. Enum.GetValues<BallEventKind>().Select(kind => Words.Of(kind)), NoThing];
 
     private readonly CompiledScenes<CompiledScene> _scenes;
     private readonly Trajectory _path = new();
+
+    /// <summary>The flight to rest, which decides the outcome of a row whose recorded flight does not.</summary>
+    private readonly Trajectory _rest = new();
+    private readonly bool _tellsOutcome;
+    private RowCounts _counts;
     private CompiledScene _scene = null!;
     private PlayEnd _end;
     private int _lastEvent;
@@ -25,12 +37,18 @@ internal sealed class PlayRows : LaunchRows
         {
             throw new RefusedException("row.hits", Quote.Short(name), string.Join(" | ", plan.Things));
         }
+
+        _tellsOutcome = plan.HasGoals && Writes(OutcomeName);
+        _counts = NoRows;
     }
 
-    public override long? FlownSingly => null;
+    public override RowCounts Counts => _counts;
+
+    private RowCounts NoRows => _tellsOutcome ? new RowCounts(null, 0, 0, 0) : new RowCounts(null);
 
     protected override void Answer(int count)
     {
+        _counts = NoRows;
         for (int i = 0; i < count; i++)
         {
             _scene = _scenes.Of(i);
@@ -64,8 +82,8 @@ internal sealed class PlayRows : LaunchRows
         if (Plan.HasGoals)
         {
             yield return new ColumnSource(
-                Column.Word("outcome", "goal: all of the ball was in one; else save: an obstacle was hit; else post: the frame of a goal was hit; else miss", s_outcomes),
-                (to, row, _) => to.Words[row] = (byte)Outcome(_scene.Scene.Scene.Obstacles.Count));
+                Column.Word(OutcomeName, "of the flight to rest, also after the recorded end; goal: all of the ball was in one; else save: an obstacle was hit; else post: the frame of a goal was hit; else miss", s_outcomes) with { CanMiss = true },
+                (to, row, _) => to.Words[row] = Outcome(row));
         }
 
         if (Plan.Row.Hits.Count > 0)
@@ -145,7 +163,7 @@ internal sealed class PlayRows : LaunchRows
 
     private void Play(CompiledScene scene, int row)
     {
-        BallState ball = scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? Quaterniond.Identity);
+        BallState ball = Launch(scene, row);
         scene.Simulator.LookAhead(in ball, scene.Request, _path);
         _end = PlayEnd.Of(_path, scene.Scene);
         if (!_end.IsFinite)
@@ -174,11 +192,76 @@ internal sealed class PlayRows : LaunchRows
         return count;
     }
 
-    /// <summary>Returns the index in <see cref="s_outcomes"/>. Colliders 1 to <paramref name="obstacles"/> are obstacles; the frames of goals follow.</summary>
-    private int Outcome(int obstacles)
+    private BallState Launch(CompiledScene scene, int row) =>
+        scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? Quaterniond.Identity);
+
+    /// <summary>
+    /// Returns the index in <see cref="s_outcomes"/>, or <see cref="Column.Missing"/>. The recorded flight decides if it contains a goal or ends at rest.
+    /// Otherwise the ball is launched again and simulated to rest: a later goal wins over an earlier save or post.
+    /// </summary>
+    private byte Outcome(int row)
     {
-        bool Hit(int first, int last) => Count(happened => happened.Kind == BallEventKind.Impact && happened.ColliderIndex >= first && happened.ColliderIndex <= last) > 0;
-        return Count(happened => happened.Kind == BallEventKind.Goal) > 0 ? 1 : Hit(1, obstacles) ? 3 : Hit(obstacles + 1, int.MaxValue) ? 2 : 0;
+        // Colliders 1 to n are the obstacles; the frames of goals follow.
+        int obstacles = _scene.Scene.Scene.Obstacles.Count;
+        string? outcome = OutcomeOf(_path, obstacles);
+        if (outcome is null)
+        {
+            BallState ball = Launch(_scene, row);
+            _scene.Simulator.LookAhead(in ball, _scene.ToRest, _rest);
+            outcome = OutcomeOf(_rest, obstacles, IsOut(_rest.Final));
+        }
+
+        if (outcome is not null)
+        {
+            return (byte)Array.IndexOf(s_outcomes, outcome);
+        }
+
+        _counts = !_rest.IsComplete || !_rest.Final.Position.IsFinite ? _counts with { Overflowed = _counts.Overflowed + 1 }
+            : _rest.Events.Dropped > 0 ? _counts with { TooManyEvents = _counts.TooManyEvents + 1 }
+            : _counts with { StillMoving = _counts.StillMoving + 1 };
+        return Column.Missing;
+    }
+
+    /// <summary>True if a ball is far from every goal, and moves away from each.</summary>
+    private bool IsOut(in BallState ball)
+    {
+        foreach (Goal goal in _scene.Scene.Scene.Goals)
+        {
+            Vector3d away = (ball.Position - goal.Center).Horizontal;
+            if (!(away.Length > OutDistance && Vector3d.Dot(in away, ball.Velocity) > 0))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Returns the outcome of a flight; null if the flight contains no goal, and does not show everything until the ball rests or is out.</summary>
+    private static string? OutcomeOf(Trajectory path, int obstacles, bool isOut = false)
+    {
+        bool saved = false;
+        bool post = false;
+        foreach (ref readonly BallEvent happened in path.Events.Span)
+        {
+            switch (happened.Kind)
+            {
+                case BallEventKind.Goal:
+                    return "goal";
+                case BallEventKind.Impact when happened.ColliderIndex > 0:
+                    saved |= happened.ColliderIndex <= obstacles;
+                    post |= happened.ColliderIndex > obstacles;
+                    break;
+            }
+
+            if (happened.Kind == BallEventKind.Rest)
+            {
+                isOut = true;
+                break;
+            }
+        }
+
+        return isOut && path.IsComplete && path.Events.Dropped == 0 && path.Final.Position.IsFinite ? saved ? "save" : post ? "post" : "miss" : null;
     }
 
     private sealed class CompiledScene
@@ -203,6 +286,7 @@ internal sealed class PlayRows : LaunchRows
                 },
                 UntilPlane = scene.Plane,
             };
+            ToRest = new LookAheadRequest { Duration = Math.Max(LongestFlight, scene.Duration), TimeStep = scene.TimeStep };
         }
 
         public SweepScene Scene { get; }
@@ -210,6 +294,9 @@ internal sealed class PlayRows : LaunchRows
         public Simulator Simulator { get; }
 
         public LookAheadRequest Request { get; }
+
+        /// <summary>The request of the flight that decides the outcome.</summary>
+        public LookAheadRequest ToRest { get; }
 
         /// <summary>Returns the index of a collider in the list of all scenes' colliders; −1 if it is not there.</summary>
         public int Place(int thing) => thing >= 0 && thing < _places.Length ? _places[thing] : -1;

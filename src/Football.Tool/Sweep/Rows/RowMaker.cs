@@ -16,8 +16,8 @@ internal abstract class RowMaker(SweepPlan plan, int capacity)
 
     public IReadOnlyList<ColumnData> Columns => _columns ??= [.. Chosen.Select(source => new ColumnData(source.Column, _capacity))];
 
-    /// <summary>The number of the last rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</summary>
-    public abstract long? FlownSingly { get; }
+    /// <summary>The counts of the last rows; zeros before the first.</summary>
+    public abstract RowCounts Counts { get; }
 
     protected SweepPlan Plan { get; } = plan;
 
@@ -66,6 +66,9 @@ internal abstract class RowMaker(SweepPlan plan, int capacity)
 
     /// <summary>Returns the columns of the results.</summary>
     protected abstract IEnumerable<ColumnSource> AnswerSources();
+
+    /// <summary>True if the rows have a column of this name.</summary>
+    protected bool Writes(string name) => Chosen.Any(source => source.Column.Name == name);
 
     /// <summary>Fills all columns of some rows.</summary>
     protected void Fill(int from, int count)
