@@ -62,7 +62,7 @@ public sealed class MatchTests
     }
 
     [Theory]
-    [InlineData("t,x,y\n0,1,2", "TRACK's header")]
+    [InlineData("t,x,y\n0,1,2", "TRACK's columns")]
     [InlineData("t,x,y,z\n0,1,2,3", "1 points")]
     [InlineData("t,x,y,z\n0,1,2,kick", "line 2, z is kick")]
     [InlineData("t,x,y,z\n1,1,2,3\n0.5,1,2,3", "2 points")]

@@ -15,7 +15,7 @@ internal sealed class MatchCommand
     private readonly Option<string?> _match = new("--match")
     {
         HelpName = "TRACK.csv",
-        Description = "Fit the track of a whole match instead of FILE: CSV of t, x, y, z in most notations, or a layout of TRACAB, SkillCorner or Sportec; - is standard input.",
+        Description = "Fit the track of a whole match instead of FILE: CSV of t, x, y, z in most notations, or the layout of a provider (TRACAB, Sportec/DFL, Second Spectrum, Hawk-Eye, Stats Perform, SkillCorner, the Common Data Format); - is standard input.",
     };
 
     private readonly Option<string?> _ball = new("--ball") { HelpName = "TYPE", Description = "With --match: the ball, short for --set ball.type=TYPE, e.g. modern." };
@@ -39,7 +39,12 @@ internal sealed class MatchCommand
     private readonly Option<string?> _decimal = new("--decimal") { HelpName = "MARK", Description = "With --match: point or comma, the decimal mark; default: found." };
     private readonly Option<string?> _columns = new("--columns") { HelpName = "T,X,Y,Z", Description = "With --match: names, or numbers from 1, of the columns; default: found." };
 
-    private Option[] Own => [_ball, _altitude, _temperature, _free, _plot, _unit, _timeUnit, _rate, _pitch, _y, _up, _decimal, _columns];
+    private readonly Option<string?> _object = new("--object") { HelpName = "COLUMN=BALL", Description = "With --match: the column that names the object of a line, and the name of the ball in it; default: found, with the name ball." };
+    private readonly Option<string?> _period = new("--period") { HelpName = "COLUMN", Description = "With --match: the column of the half; default: found." };
+    private readonly Option<string?> _records = new("--records") { HelpName = "LIST", Description = "With --match: the list of moments in a JSON document, such as samples.ball; default: found." };
+    private readonly Option<bool> _list = new("--list") { Description = "With --match: print the lists and columns of TRACK, and fit nothing." };
+
+    private Option[] Own => [_ball, _altitude, _temperature, _free, _plot, _unit, _timeUnit, _rate, _pitch, _y, _up, _decimal, _columns, _object, _period, _records, _list];
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
@@ -81,7 +86,12 @@ internal sealed class MatchCommand
         MatchFitRequest request = Request(parsed.GetValue(_free));
         TrackFormat format = TrackFormat.Of(
             parsed.GetValue(_unit), parsed.GetValue(_timeUnit), parsed.GetValue(_rate), parsed.GetValue(_pitch),
-            parsed.GetValue(_y), parsed.GetValue(_up), parsed.GetValue(_decimal), parsed.GetValue(_columns));
+            parsed.GetValue(_y), parsed.GetValue(_up), parsed.GetValue(_decimal), parsed.GetValue(_columns), parsed.GetValue(_object), parsed.GetValue(_period), parsed.GetValue(_records));
+        if (parsed.GetValue(_list))
+        {
+            return List(file, format, terminal);
+        }
+
         List<FieldOverride> overrides = [];
         void Set(string path, object? value)
         {
@@ -133,6 +143,16 @@ internal sealed class MatchCommand
 
         terminal.Person.WriteLine(MatchTable.Summary(fit));
         plot?.Write(Svg.Standing("Fit of a match", MatchPicture.Draw(MatchTable.Summary(fit), fit)));
+        return ExitCode.Done;
+    }
+
+    private static int List(string file, TrackFormat format, Terminal terminal)
+    {
+        using Stream track = Arguments.OpenInput(file, terminal);
+        List<string> guesses = [];
+        string[] lines = [.. TrackReader.Describe(track, format, guesses.Add)];
+        guesses.ForEach(terminal.Person.WriteLine);
+        terminal.Output.Write(System.Text.Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
         return ExitCode.Done;
     }
 

@@ -93,7 +93,7 @@ public sealed class TrackWayTests(ITestOutputHelper output)
     }
 
     /// <summary>What is wrong with the points; null if nothing is.</summary>
-    private static string? Off(TrackPoint[] read, OwnTrack track)
+    internal static string? Off(TrackPoint[] read, OwnTrack track)
     {
         // Points that are hidden may be missing; every other one is there, once or in equal copies.
         TrackPoint[] points = [.. read.DistinctBy(point => point.Time)];

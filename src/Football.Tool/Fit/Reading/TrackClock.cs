@@ -10,6 +10,9 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
 
     private static readonly double[] s_rates = [5, 10, 12.5, 15, 20, 24, 25, 29.97, 30, 48, 50, 59.94, 60, 90, 100, 120, 150, 200, 240, 250, 300, 500, 1000];
 
+    /// <summary>True if the times are dates with a time of day.</summary>
+    public bool IsAbsolute { get; private set; }
+
     /// <summary>Returns the time of each line, in s; NaN if it has none.</summary>
     /// <param name="places">The columns of positions as written; used to suggest a frame rate.</param>
     public double[] Seconds(double[][] places)
@@ -64,6 +67,7 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
             }
         }
 
+        IsAbsolute = first is not null;
         return times;
     }
 

@@ -8,8 +8,11 @@ namespace FootballPhysics.Tool.Fit.Reading;
 internal sealed record TrackColumns
 {
     private static readonly string[] s_times = ["t", "time", "timestamp", "seconds", "sec", "secs", "time_sec", "time_seconds", "elapsed", "elapsed_time", "game_time", "match_time", "video_time", "zeit", "temps", "tiempo", "datetime", "date_time", "milliseconds", "millis"];
-    private static readonly string[] s_frames = ["frame", "frames", "frame_id", "frameid", "frame_number", "frame_num", "frame_no", "frame_nr", "frame_idx", "frame_index", "frame_count", "framecount"];
-    private static readonly string[] s_periods = ["period", "period_id", "half", "section", "game_section", "gamesection", "period_number"];
+
+    /// <summary>The clocks of trackers, from the most to the least useful, for files without one of <see cref="s_times"/>.</summary>
+    private static readonly string[] s_clocks = ["game_clock", "match_clock", "period_elapsed_time", "period_game_clock_time", "video_time", "utc_time", "wall_clock"];
+    private static readonly string[] s_frames = ["frame", "frames", "frame_id", "frameid", "frame_number", "frame_num", "frame_no", "frame_nr", "frame_idx", "frame_index", "frame_count", "framecount", "frame_idx", "idx"];
+    private static readonly string[] s_periods = ["period", "phase", "period_id", "half", "section", "game_section", "gamesection", "period_number"];
     private static readonly string[] s_objects = ["object", "object_id", "object_type", "entity", "entity_id", "type", "team", "team_id", "team_name", "name", "player", "player_id", "group", "group_name", "track_id", "class", "label", "participation_id"];
 
     /// <summary>The prefixes and suffixes of x, y and z in column names of a ball, from the most to the least certain.</summary>
@@ -31,6 +34,9 @@ internal sealed record TrackColumns
         ("_s", "s"), ("_sec", "s"), ("_secs", "s"), ("_seconds", "s"), ("_min", "min"), ("_minutes", "min"),
     ];
 
+    /// <summary>The maximum number of columns that a message names.</summary>
+    private const int MostNamed = 24;
+
     public required int Time { get; init; }
 
     public required int[] Places { get; init; }
@@ -51,7 +57,9 @@ internal sealed record TrackColumns
     public string?[] Units { get; init; } = [null, null, null];
 
     /// <summary>Returns the columns of a header; null if the names are not those of a track.</summary>
-    public static TrackColumns? Find(string[] header, TrackFormat format)
+    public static TrackColumns? Find(string[] header, TrackFormat format) => Search(header, format) is { } found ? found.Named(header, format) : null;
+
+    private static TrackColumns? Search(string[] header, TrackFormat format)
     {
         string[] names = [.. header.Select(Plain)];
         if (format.Columns is { } chosen)
@@ -65,6 +73,11 @@ internal sealed record TrackColumns
         for (int i = 0; i < s_durations.Length && time < 0; i++)
         {
             time = Array.FindIndex(names, name => s_times.Any(plain => name == plain + s_durations[i].Suffix));
+        }
+
+        for (int i = 0; i < s_clocks.Length && time < 0; i++)
+        {
+            time = Array.FindIndex(names, name => name == s_clocks[i] || (Unit(name, s_durations) is not null && name.StartsWith(s_clocks[i] + "_", StringComparison.Ordinal)));
         }
 
         // If there is no other time, use an unnamed index, as pandas writes it.
@@ -92,6 +105,13 @@ internal sealed record TrackColumns
         return null;
     }
 
+    /// <summary>True if a header names x, y and z, with or without a time.</summary>
+    public static bool HasPlaces(string[] header)
+    {
+        string[] names = [.. header.Select(Plain)];
+        return s_families.Any(family => Enumerable.Range(0, 3).All(axis => Place(names, family.Before, family.After, axis).At >= 0));
+    }
+
     /// <summary>Returns the columns of a table without a header: by number, or the four columns t, x, y and z.</summary>
     public static TrackColumns? ByNumber(TrackFormat format, int count)
     {
@@ -103,6 +123,26 @@ internal sealed record TrackColumns
 
         return count == 4 ? new TrackColumns { Time = 0, Places = [1, 2, 3] } : null;
     }
+
+    /// <summary>Returns these columns with those of the object and of the half that the user names.</summary>
+    /// <exception cref="RefusedException">There is no such column.</exception>
+    public TrackColumns Named(string[] header, TrackFormat format) => this with
+    {
+        Objects = format.Object is { } of ? [Place("--object", of.Column, header)] : Objects,
+        Period = format.Period is { } period ? Place("--period", period, header) : Period,
+    };
+
+    private static int Place(string option, string name, string[] header)
+    {
+        int at = Array.IndexOf(header, name);
+        at = at >= 0 ? at : Array.FindIndex(header, other => Plain(other) == Plain(name));
+        at = at >= 0 ? at : int.TryParse(name, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= 1 && number <= header.Length ? number - 1 : -1;
+        return at >= 0 ? at : throw new RefusedException(option, Quote.Short(name), $"a column of TRACK by name, or by number from 1; its columns are {Listed(header)}");
+    }
+
+    /// <summary>Returns the names of columns for a message: all of them, or the first ones and the number of the others.</summary>
+    public static string Listed(string[] header) =>
+        string.Join(", ", header.Take(MostNamed).Select(name => Quote.Short(name))) + (header.Length > MostNamed ? FormattableString.Invariant($" and {header.Length - MostNamed} more (--list prints all)") : "");
 
     /// <summary>Throws if the name of a used column occurs twice.</summary>
     public void RefuseTwins(string[] header)

@@ -43,6 +43,15 @@ internal sealed record TrackFormat
     /// <summary>The names, or numbers from 1, of the columns t, x, y and z; null to find them.</summary>
     public string[]? Columns { get; init; }
 
+    /// <summary>The column that names the object of a line, and the name of the ball in it; null to find them.</summary>
+    public (string Column, string Ball)? Object { get; init; }
+
+    /// <summary>The column of the half; null to find it.</summary>
+    public string? Period { get; init; }
+
+    /// <summary>The list of moments in a JSON document, with points between the names of nested members; null to find it.</summary>
+    public string? Records { get; init; }
+
     /// <summary>Returns the length of a unit, in m; null if the unit is unknown.</summary>
     public static double? Metres(string unit) => s_lengths.TryGetValue(unit, out double metres) ? metres : null;
 
@@ -51,7 +60,7 @@ internal sealed record TrackFormat
 
     /// <summary>Reads the options of a command.</summary>
     /// <exception cref="RefusedException">An option has a value that is not allowed.</exception>
-    public static TrackFormat Of(string? unit, string? timeUnit, string? rate, string? pitch, string? y, string? up, string? mark, string? columns)
+    public static TrackFormat Of(string? unit, string? timeUnit, string? rate, string? pitch, string? y, string? up, string? mark, string? columns, string? of = null, string? period = null, string? records = null)
     {
         static string Word(string option, string value, params string[] allowed) =>
             Array.Find(allowed, word => word.Equals(value, StringComparison.OrdinalIgnoreCase)) ?? throw new RefusedException(option, Quote.Short(value), string.Join(" | ", allowed));
@@ -66,6 +75,9 @@ internal sealed record TrackFormat
             IsYDown = y is null ? null : Word("--y", y, "left", "right") == "right",
             IsYUp = up is null ? null : Word("--up", up, "y", "z") == "y",
             Decimal = mark is null ? null : Word("--decimal", mark, "point", "comma") == "comma" ? ',' : '.',
+            Object = of is null ? null : (of.Split('=', 2)[0].Trim(), of.Contains('=', StringComparison.Ordinal) ? of.Split('=', 2)[1].Trim() : "ball"),
+            Period = period,
+            Records = records,
             Columns = names is null or { Length: 4 } ? names : throw new RefusedException("--columns", Quote.Short(columns!), "four names or numbers: t,x,y,z"),
         };
     }

@@ -21,8 +21,9 @@ internal static class TrackOrder
     /// <param name="moments">The times and positions as in the file; positions are NaN if the ball was not seen.</param>
     /// <param name="numbers">The line numbers of the moments.</param>
     /// <param name="isPart">True if the half of a line differs from that of the line before.</param>
+    /// <param name="isAbsolute">True if the times are dates with a time of day: such a clock never restarts.</param>
     /// <param name="report">Receives remarks.</param>
-    public static void Sort(List<(double Time, Vector3d Place)> moments, List<long> numbers, Func<int, bool> isPart, Action<string> report)
+    public static void Sort(List<(double Time, Vector3d Place)> moments, List<long> numbers, Func<int, bool> isPart, bool isAbsolute, Action<string> report)
     {
         List<int> backwards = [];
         for (int i = 1; i < moments.Count; i++)
@@ -39,7 +40,7 @@ internal static class TrackOrder
             return;
         }
 
-        if (BeginsAgain(moments, backwards, isPart))
+        if (!isAbsolute && BeginsAgain(moments, backwards, isPart))
         {
             Shift(moments, numbers, backwards, report);
         }
@@ -120,7 +121,7 @@ internal static class TrackOrder
         if (repeats > MostRepeats * moments.Count && repeats > 2)
         {
             throw new RefusedException(FormattableString.Invariant(
-                $"line {numbers[at]}: the time is that of another line, at another place, as in {repeats} lines. Keep the lines of one ball, with times to the millisecond, or give --rate if the file has frame numbers."));
+                $"line {numbers[at]}: the time is that of another line, at another place, as in {repeats} lines. Keep the lines of one ball, or name the column of the objects, such as --object COLUMN=ball; write times to the millisecond, or give --rate if the file has frame numbers."));
         }
     }
 

@@ -13,6 +13,9 @@ internal sealed class TrackTable
     /// <summary>The names of the columns; null if the file has none.</summary>
     public string[]? Header { get; set; }
 
+    /// <summary>Descriptions of the lists of the file, such as the sets of frames in XML.</summary>
+    public List<string> Parts { get; } = [];
+
     /// <summary>The lines below the header.</summary>
     public List<TrackLine> Lines { get; } = [];
 
