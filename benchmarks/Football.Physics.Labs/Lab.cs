@@ -19,6 +19,7 @@ using FootballPhysics.Labs.Queries;
 using FootballPhysics.Labs.Rebounds;
 using FootballPhysics.Labs.Scenes;
 using FootballPhysics.Labs.Stress;
+using FootballPhysics.Labs.Verdicts;
 using FootballPhysics.Labs.Zones;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Commands;
@@ -76,7 +77,7 @@ internal sealed class Lab
     {
         string[] all = [.. names];
         Option<string?> only = Add(new Option<string?>("--only") { HelpName = helpName, Description = $"{description}: {string.Join(", ", all)}." });
-        only.AcceptOnlyFromAmong(all);
+        Arguments.Among(only, all);
         return only;
     }
 
@@ -184,7 +185,7 @@ internal static class Laboratories
             VacuumLab.Create(), ConsistencyLab.Create(), CostLab.Create(), PrecisionLab.Create(), StabilityLab.Create(), AimLab.Create(),
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
-            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
+            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), VerdictsLab.Create(), ScenesLab.Create(),
             StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(),
         ])
         {

@@ -277,5 +277,7 @@ internal static unsafe partial class Exports
         to->Flights = from.Flights;
         to->Impacts = from.Impacts;
         to->Windows = from.Windows.Count;
+        to->GoodFor = (int)from.GoodFor;
+        to->Suspicions = (int)from.Suspicions;
     }
 }

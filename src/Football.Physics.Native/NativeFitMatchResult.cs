@@ -38,6 +38,12 @@ internal unsafe struct NativeFitMatchResult
 
     /// <summary>The number of intervals in which the ball slid or rolled untouched.</summary>
     public int Windows;
+
+    /// <summary>The answers that are reliable to within their standard errors: the sum of values of fp_match_answers.</summary>
+    public int GoodFor;
+
+    /// <summary>The suspected faults of the track: the sum of values of fp_track_suspicions.</summary>
+    public int Suspicions;
 }
 
 /// <summary>The parameters that a match fit can estimate.</summary>

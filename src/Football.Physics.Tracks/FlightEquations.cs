@@ -4,9 +4,10 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>The least-squares equations of flights, for each launch and for the parameters that all flights share.</summary>
 /// <param name="track">The track.</param>
+/// <param name="noise">The standard deviation of a coordinate from one point to the next, in m.</param>
 /// <param name="deviation">The standard deviation of a coordinate, in m: noise and model error.</param>
 /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
-internal sealed class FlightEquations(TrackPoint[] track, double deviation, double spinDeviation)
+internal sealed class FlightEquations(TrackPoint[] track, double noise, double deviation, double spinDeviation)
 {
     private const int Launch = FlightPath.Launch;
 
@@ -27,11 +28,15 @@ internal sealed class FlightEquations(TrackPoint[] track, double deviation, doub
 
     private readonly StepLog _log = new();
     private readonly double[] _changed = new double[Launch];
+    private readonly Vector3d[] _lefts = new Vector3d[Launch];
     private Vector3d[] _path = [];
     private Vector3d[] _other = [];
 
     /// <summary>The height of the ball's centre on the ground, in m, once known; heights near the ground have an additional error.</summary>
     public double Contact { get; set; } = double.NegativeInfinity;
+
+    /// <summary>True if <see cref="Normal"/> also computes <see cref="FlightPath.Scatter"/>. Default false.</summary>
+    public bool KeepsScatter { get; set; }
 
     /// <summary>Simulates a flight from its launch.</summary>
     /// <param name="simulator">The scene.</param>
@@ -136,6 +141,7 @@ internal sealed class FlightEquations(TrackPoint[] track, double deviation, doub
         Array.Clear(normal, 0, size * size);
         Array.Clear(gradient, 0, size);
         Array.Clear(flight.LowHeights, 0, Launch);
+        Array.Clear(flight.Scatter, 0, flight.Scatter.Length);
         for (int i = 0; i < count; i++)
         {
             ref readonly TrackPoint point = ref track[flight.First + i];
@@ -152,6 +158,17 @@ internal sealed class FlightEquations(TrackPoint[] track, double deviation, doub
                 if (j < Launch)
                 {
                     flight.LowHeights[j] += left.Y * Wrong(in point);
+                }
+
+                if (j < Launch && KeepsScatter)
+                {
+                    _lefts[j] = left;
+                    for (int k = 0; k <= j; k++)
+                    {
+                        double product = Vector3d.Dot(in left, in _lefts[k]);
+                        flight.Scatter[(j * Launch) + k] += product;
+                        flight.Scatter[(k * Launch) + j] += k < j ? product : 0;
+                    }
                 }
 
                 for (int k = 0; k <= j; k++)
@@ -179,6 +196,9 @@ internal sealed class FlightEquations(TrackPoint[] track, double deviation, doub
 
         return Cost(flight, flight.Values, _path);
     }
+
+    /// <summary>The standard deviation of a coordinate from one point to the next, in m.</summary>
+    public double Noise => noise;
 
     /// <summary>Returns a point of the track.</summary>
     public ref readonly TrackPoint Point(int index) => ref track[index];

@@ -26,6 +26,16 @@ public sealed class MatchFit
     /// <summary>The usual number of checks for a cancellation in a part of the fit, per point of the track.</summary>
     private const double ChecksPerPoint = 3;
 
+    /// <summary>The minimum number of flights from which the shape of the drag curve is estimated.</summary>
+    private const int LeastForLaw = 4;
+
+    /// <summary>The gain, in squared standard deviations and as a share of the cost, above which the shape of the drag curve is not the ball's.</summary>
+    private const double LawGain = 10;
+    private const double LawShare = 0.04;
+
+    /// <summary>The share of the flights with a misfit below which the drag curve of the ball holds.</summary>
+    private const double MisfitShare = 0.15;
+
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
 
     private readonly Scene _scene;
@@ -57,14 +67,16 @@ public sealed class MatchFit
         var watch = new FitWatch(progress, ChecksPerPoint * track.Length, cancellation);
         watch.Start(0.4);
         var runs = new TrackRuns(track);
-        var equations = new FlightEquations(runs.Points, Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError)), request.SpinDeviation);
+        var equations = new FlightEquations(runs.Points, runs.Noise, Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError)), request.SpinDeviation);
         var finder = new FlightFinder(runs, _scene, equations);
         List<FlightPath> flights = finder.Find(watch);
         watch.Start(0.7);
 
         List<FlightPath> used = LongFlights(runs, flights);
         var model = new MatchModel(_scene, request);
+        double[][] begin = [.. used.Select(flight => (double[])flight.Values.Clone())];
         SharedFit fit = Best(equations, model, used, SharedFit.Shares(used), watch);
+        fit = WithLaw(equations, request, model, fit, begin, used, watch);
         watch.Start(0.95);
         finder.JoinBy(fit, flights, watch);
         used = LongFlights(runs, flights);
@@ -81,7 +93,11 @@ public sealed class MatchFit
         fit.MeasureUncertainty(used, shares, watch);
         FitShort(fit, equations, brief, watch);
         watch.Start(1);
+        var doubts = new MatchDoubts(_scene, request, equations, runs.Points, used, shares);
+        doubts.Test(fit, watch);
+        doubts.Widen(brief);
         MatchFitResult result = Result(request, runs, equations, finder, flights, used, model, fit, contact, heightDeviation);
+        result.Verdict = new MatchVerdict(result, doubts, runs);
         watch.Finish();
         return result;
     }
@@ -126,7 +142,7 @@ public sealed class MatchFit
         List<Estimate> estimates = [];
         for (int i = 0; i < model.Count; i++)
         {
-            estimates.Add(new Estimate(model.Names[i], fit.Values[i], Math.Sqrt(Math.Max(0, fit.Covariance[(i * model.Count) + i]))));
+            estimates.Add(new Estimate(model.Names[i], fit.Values[i], Math.Sqrt(Math.Max(0, fit.Covariance[(i * fit.Values.Length) + i]))));
         }
 
         double radius = _scene.Ball.Radius;
@@ -233,6 +249,51 @@ public sealed class MatchFit
             flight.Values = best;
             equations.Measure(fit.At, flight);
         }
+    }
+
+    /// <summary>
+    /// Fits also the shape of the drag curve, from the fit without and from wide crises. Returns that fit if it is better by far more than the misfit of the
+    /// flights explains; otherwise the fit without, because the shape makes all values less certain.
+    /// </summary>
+    private SharedFit WithLaw(FlightEquations equations, MatchFitRequest request, MatchModel model, SharedFit rigid, double[][] begin, List<FlightPath> flights, FitWatch watch)
+    {
+        var flexible = new MatchModel(_scene, request, law: true);
+        if (flexible.Count == model.Count || flights.Count < LeastForLaw || flights.Count(rigid.IsMisfit) < MisfitShare * flights.Count)
+        {
+            return rigid;
+        }
+
+        double[] inflations = [.. flights.Select(rigid.Inflation).Order()];
+        double least = Math.Max(LawShare * rigid.Cost, LawGain * Math.Max(1, inflations[inflations.Length / 2]));
+        double[] shares = SharedFit.Shares(flights);
+        double[][] launches = [.. flights.Select(flight => (double[])flight.Values.Clone())];
+        double[][] found = launches;
+        SharedFit best = rigid;
+        bool first = true;
+        foreach (double[] start in flexible.LawStarts(rigid.Values))
+        {
+            for (int i = 0; i < flights.Count; i++)
+            {
+                flights[i].Values = (double[])(first ? launches : begin)[i].Clone();
+            }
+
+            first = false;
+            var fit = new SharedFit(equations, flexible, start);
+            fit.Descend(flights, shares, watch);
+            if (fit.Cost < (best == rigid ? rigid.Cost - least : best.Cost))
+            {
+                best = fit;
+                found = [.. flights.Select(flight => flight.Values)];
+            }
+        }
+
+        for (int i = 0; i < flights.Count; i++)
+        {
+            flights[i].Values = found[i];
+            equations.Measure(best.At, flights[i]);
+        }
+
+        return best;
     }
 
     /// <summary>Returns the best of several fits from different drag crises, because a crisis on either side of the speeds can slow a ball

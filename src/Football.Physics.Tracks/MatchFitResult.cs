@@ -26,6 +26,21 @@ public sealed class MatchFitResult
     /// </remarks>
     public IReadOnlyList<string> Names { get; }
 
+    /// <summary>The answers that are reliable to within their standard deviations.</summary>
+    /// <remarks>
+    /// Launches need a deviation of at most 1 m/s, and spins of at most 20 rad/s, in a quarter of the flights. None is reliable if
+    /// <see cref="Suspicions"/> names a fault that could not be removed.
+    /// </remarks>
+    public MatchAnswers GoodFor => Verdict.Answers;
+
+    /// <summary>The suspected faults of the track. Lines and held points were left out; the others make all answers unreliable.</summary>
+    public TrackSuspicions Suspicions => Verdict.Suspicions;
+
+    /// <summary>The verdict in words: the reliable answers, and what to check.</summary>
+    public string Explanation => Verdict.Explanation;
+
+    internal MatchVerdict Verdict { get; set; } = null!;
+
     /// <summary>The scene with all estimated parameters.</summary>
     public Scene Scene { get; }
 

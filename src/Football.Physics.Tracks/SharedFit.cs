@@ -22,8 +22,14 @@ internal sealed class SharedFit
     /// <summary>The ratio to the median residual above which a flight has less weight in the shared parameters.</summary>
     private const double Strange = 2.5;
 
-    /// <summary>The minimum model error as a share of a point's variance, even if a flight happens to fit better.</summary>
-    private const double LawShare = 0.4;
+    /// <summary>The share of a systematic misfit that acts alike at all points of a flight.</summary>
+    private const double CommonShare = 0.3;
+
+    /// <summary>The misfit per coordinate, in m, from which heights near the ground are as wrong as on any pitch. Without a misfit, they are right.</summary>
+    private const double LowMisfit = 0.008;
+
+    /// <summary>The standard deviations beyond which the likeness of successive residuals is a misfit.</summary>
+    private const double LikenessDeviations = 2;
 
     private readonly FlightEquations _system;
     private readonly MatchModel _model;
@@ -156,7 +162,9 @@ internal sealed class SharedFit
             reduced[i] = shares[i] / Inflation(flights[i]);
         }
 
+        _system.KeepsScatter = true;
         Evaluate(flights, shares, normals, gradients, watch);
+        _system.KeepsScatter = false;
         double[] s = new double[_shared * _shared];
         double[] unused = new double[_shared];
         AddKnown(s, unused);
@@ -166,6 +174,12 @@ internal sealed class SharedFit
         {
             Invert(normals[i], flights[i].Covariance);
             off[i] = Times(flights[i].Covariance, flights[i].LowHeights);
+            Variance(flights[i], out double misfit);
+            double low = Math.Min(1, Math.Sqrt(misfit) / LowMisfit);
+            for (int k = 0; k < Launch; k++)
+            {
+                off[i][k] *= low;
+            }
             couplings[i] = Couple(normals[i], flights[i].Covariance);
             Eliminate(normals[i], gradients[i], couplings[i], reduced[i], s, unused);
         }
@@ -173,19 +187,19 @@ internal sealed class SharedFit
         Linear.Invert(s, Covariance, _shared);
         for (int f = 0; f < flights.Count; f++)
         {
-            // Sum of three terms: A⁻¹ (w(A − P) + P) A⁻¹ by the scatter w without the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared parameters; and d dᵀ with
-            // d = A⁻¹JᵀWb by the common height error b near the ground.
+            // Sum of three terms: the sandwich A⁻¹ (v JᵀW²J + P) A⁻¹ by the variance v of the residuals and the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared
+            // parameters; and d dᵀ with d = A⁻¹JᵀWb by the common height error b near the ground.
             double[] covariance = flights[f].Covariance;
-            double scatter = shares[f] / reduced[f];
+            double[] sandwich = Sandwich(covariance, flights[f].Scatter, Variance(flights[f], out _));
             Vector3d known = _system.PerSpin(flights[f]);
             for (int i = 0; i < Launch; i++)
             {
                 for (int j = 0; j < Launch; j++)
                 {
-                    double sum = (scatter * covariance[(i * Launch) + j]) + (off[f][i] * off[f][j]);
+                    double sum = sandwich[(i * Launch) + j] + (off[f][i] * off[f][j]);
                     for (int k = 0; k < 3; k++)
                     {
-                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * known.Along(k) * covariance[((6 + k) * Launch) + j];
+                        sum += covariance[(i * Launch) + 6 + k] * known.Along(k) * covariance[((6 + k) * Launch) + j];
                     }
 
                     for (int k = 0; k < _shared * _shared; k++)
@@ -363,8 +377,25 @@ internal sealed class SharedFit
         }
     }
 
-    /// <summary>Returns the ratio of a flight's residual variance, including autocorrelation, to the assumed variance of a point.</summary>
-    private double Inflation(FlightPath flight)
+    /// <summary>True if successive residuals of a flight are alike, so that the laws do not describe it.</summary>
+    public bool IsMisfit(FlightPath flight)
+    {
+        Variance(flight, out double misfit);
+        return misfit > 0;
+    }
+
+    /// <summary>Returns the ratio of a flight's residual variance, including a misfit, to the assumed variance of a point.</summary>
+    public double Inflation(FlightPath flight)
+    {
+        double variance = Variance(flight, out _);
+        double assumed = _system.Deviation(in _system.Point(flight.First));
+        return variance / (assumed * assumed);
+    }
+
+    /// <summary>Returns the variance of a flight's residuals that determines its deviations, in m².</summary>
+    /// <param name="flight">The flight.</param>
+    /// <param name="misfit">The variance of a misfit of the laws, per coordinate, in m².</param>
+    private double Variance(FlightPath flight, out double misfit)
     {
         Vector3d[] misses = _system.Misses(At, flight);
         double squares = 0;
@@ -375,12 +406,41 @@ internal sealed class SharedFit
             products += i > 0 ? Vector3d.Dot(in misses[i], in misses[i - 1]) : 0;
         }
 
+        // White noise has no likeness from one point to the next. A misfit of the laws has, and acts alike at many points, so that more points do not reduce it.
         double freedom = Math.Max(3, (3 * misses.Length) - Launch);
-        double likeness = squares > 0 ? Math.Min(0.95, Math.Max(0, products / squares)) : 0;
-        double correlation = (1 + likeness) / (1 - likeness);
-        double variance = squares / freedom * correlation;
-        double assumed = _system.Deviation(in _system.Point(flight.First));
-        return Math.Max(LawShare, variance / (assumed * assumed));
+        double usual = squares / (3 * misses.Length);
+        misfit = Math.Max(0, (products / (3 * misses.Length)) - (LikenessDeviations * usual / Math.Sqrt(3 * misses.Length)));
+        return Math.Max(_system.Noise * _system.Noise, squares / freedom) + (CommonShare * misses.Length * misfit);
+    }
+
+    /// <summary>Returns v A⁻¹ M A⁻¹.</summary>
+    private static double[] Sandwich(double[] inverse, double[] scatter, double variance)
+    {
+        double[] left = new double[Launch * Launch];
+        double[] product = new double[Launch * Launch];
+        for (int i = 0; i < Launch; i++)
+        {
+            for (int j = 0; j < Launch; j++)
+            {
+                for (int k = 0; k < Launch; k++)
+                {
+                    left[(i * Launch) + j] += inverse[(i * Launch) + k] * scatter[(k * Launch) + j];
+                }
+            }
+        }
+
+        for (int i = 0; i < Launch; i++)
+        {
+            for (int j = 0; j < Launch; j++)
+            {
+                for (int k = 0; k < Launch; k++)
+                {
+                    product[(i * Launch) + j] += variance * left[(i * Launch) + k] * inverse[(k * Launch) + j];
+                }
+            }
+        }
+
+        return product;
     }
 
     private static double[] Times(double[] matrix, double[] vector)

@@ -23,7 +23,8 @@ internal sealed class TrackRuns
 
     public TrackRuns(TrackPoint[] seen)
     {
-        TrackPoint[] track = TrackTiming.Unrounded(WithoutRepeats(seen));
+        TrackPoint[] track = DrawnPoints.Remove(TrackTiming.Unrounded(WithoutRepeats(seen)), out int lines, out int held);
+        (OnLines, Held) = (lines, held);
         Wait = UsualWait(track, out _mean);
         Noise = TrackNoise.Of(track, (2 * _mean) + LongestWait);
         Points = WithoutSpikes(track);
@@ -39,6 +40,12 @@ internal sealed class TrackRuns
         ends.Add(Points.Length);
         Ends = ends;
     }
+
+    /// <summary>The number of points that were left out because they lie on straight lines between others.</summary>
+    public int OnLines { get; }
+
+    /// <summary>The number of points that were left out because they repeat the position of a moving ball.</summary>
+    public int Held { get; }
 
     /// <summary>The points.</summary>
     public TrackPoint[] Points { get; }

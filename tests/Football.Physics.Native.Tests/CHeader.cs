@@ -24,6 +24,8 @@ internal sealed partial class CHeader
         (typeof(TrackVerdict), "fp_fit_verdict", "FP_FIT_"),
         (typeof(MatchPieceKind), "fp_piece_kind", "FP_PIECE_"),
         (typeof(NativeFitParameter), "fp_fit_parameter", "FP_PARAMETER_"),
+        (typeof(MatchAnswers), "fp_match_answers", "FP_GOOD_FOR_"),
+        (typeof(TrackSuspicions), "fp_track_suspicions", "FP_SUSPICION_"),
     ];
 
     private static readonly Type[] s_structs =

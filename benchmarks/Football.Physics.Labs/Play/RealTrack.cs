@@ -68,7 +68,7 @@ internal static class RealTrack
 
         AddImpacts(name, last!, impacts);
         AddWindows(name, last!, windows);
-        run.Notes.Add($"{name}: good for {MatchWriter.GoodFor(last!)}.");
+        run.Notes.Add($"{name}: good for {last!.Explanation}.");
     }
 
     private static MatchFitResult Fit(TrackPoint[] track, BallProperties ball, Air air, bool drag) =>

@@ -15,10 +15,10 @@ from ._native import version as _version
 from ._players import ChanceMethod, GoalChance, Interception, Players, goal_chance, intercept, intercept_windows, window_dtype
 from ._points import track
 from ._scene import Scene
-from ._tracks import Fit, FitVerdict, MatchFit, PieceKind, fit, fit_match, piece_dtype
+from ._tracks import Fit, FitVerdict, MatchAnswers, MatchFit, PieceKind, TrackSuspicions, fit, fit_match, piece_dtype
 
 __all__ = [
-    "AimResult", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "GoalChance", "Interception", "Match", "MatchFit", "Motion", "PieceKind", "Players",
-    "Scene", "ball_dtype", "body_dtype", "envs", "event_dtype", "fit", "fit_match", "goal_chance", "intercept", "intercept_windows", "match_event_dtype", "piece_dtype",
+    "AimResult", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "GoalChance", "Interception", "Match", "MatchAnswers", "MatchFit", "Motion", "PieceKind", "Players",
+    "Scene", "TrackSuspicions", "ball_dtype", "body_dtype", "envs", "event_dtype", "fit", "fit_match", "goal_chance", "intercept", "intercept_windows", "match_event_dtype", "piece_dtype",
     "track", "window_dtype"]
 __version__ = _version().decode()

@@ -58,4 +58,4 @@ PIECE = _struct(
 WATCH = _struct(*_integers("bytes", "cancel"), *_numbers("progress"))
 FIT_MATCH = _struct(
     ("values", "f8", 12), ("deviations", "f8", 12), *_numbers("rms", "covered", "noise", "rolling_speed", "rolling_deviation"),
-    *_integers("estimated", "flights", "impacts", "windows"))
+    *_integers("estimated", "flights", "impacts", "windows", "good_for", "suspicions"))

@@ -33,6 +33,29 @@ class FitVerdict(enum.IntEnum):
     NOT_CONVERGED = 5
 
 
+class MatchAnswers(enum.IntFlag):
+    """The answers of a match fit that are reliable to within their deviations."""
+
+    NONE = 0
+    LAUNCHES = 1
+    SPINS = 2
+    WIND_AND_DRAG = 4
+    SURFACE = 8
+
+
+class TrackSuspicions(enum.IntFlag):
+    """Faults of a track that a match fit suspects, or has removed (LINES, HELD)."""
+
+    NONE = 0
+    UNITS = 1
+    SCALE = 2
+    TURNED = 4
+    DRAG_LAW = 8
+    MISFIT = 16
+    LINES = 32
+    HELD = 64
+
+
 class PieceKind(enum.IntEnum):
     """The kind of a piece of a match track."""
 
@@ -97,6 +120,9 @@ class MatchFit:
     flights: int
     impacts: int
     windows: int
+    #: The answers that are reliable to within their deviations, and the suspected faults of the track.
+    good_for: MatchAnswers
+    suspicions: TrackSuspicions
 
 
 def fit(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, progress: _watch.Progress = None, **request: Any) -> Fit:
@@ -167,7 +193,8 @@ def fit_match(
         pieces=pieces[: count.value].copy(), scene=fitted,
         values={_PARAMETERS[i]: float(row["values"][i]) for i in estimated}, deviations={_PARAMETERS[i]: float(row["deviations"][i]) for i in estimated},
         rms=float(row["rms"]), covered=float(row["covered"]), noise=float(row["noise"]), rolling_speed=float(row["rolling_speed"]), rolling_deviation=float(row["rolling_deviation"]),
-        flights=int(row["flights"]), impacts=int(row["impacts"]), windows=int(row["windows"]))
+        flights=int(row["flights"]), impacts=int(row["impacts"]), windows=int(row["windows"]),
+        good_for=MatchAnswers(int(row["good_for"])), suspicions=TrackSuspicions(int(row["suspicions"])))
 
 
 def _arguments(track: Any, noise: Optional[ArrayLike], request: Dict[str, Any]) -> Any:

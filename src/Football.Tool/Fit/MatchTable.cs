@@ -68,7 +68,7 @@ internal static class MatchTable
 
     /// <summary>Returns the summary as one line.</summary>
     public static string Summary(MatchFitResult fit) => FormattableString.Invariant(
-        $"{fit.Flights} flights, rms {100 * fit.Rms:0.00} cm; {100 * fit.Covered:0.0} % of what is above 0.5 m in them; {fit.Impacts} impacts, {fit.Windows.Count} slides and rolls; noise {1000 * fit.Noise:0.0} mm. Good for {MatchWriter.GoodFor(fit)}.");
+        $"{fit.Flights} flights, rms {100 * fit.Rms:0.00} cm; {100 * fit.Covered:0.0} % of what is above 0.5 m in them; {fit.Impacts} impacts, {fit.Windows.Count} slides and rolls; noise {1000 * fit.Noise:0.0} mm. Good for {fit.Explanation}.");
 
     private static string Text(double number, string format) => number.ToString(format, CultureInfo.InvariantCulture);
 }

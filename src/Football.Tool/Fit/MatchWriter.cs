@@ -91,7 +91,14 @@ internal static class MatchWriter
         json.WriteEndObject();
         WriteRolling(json, fit);
         WriteRobotSoccer(json, fit);
-        json.WriteString("goodFor", GoodFor(fit));
+        json.WriteString("goodFor", fit.Explanation);
+        json.WriteStartArray("suspicions");
+        foreach (TrackSuspicions fault in Enum.GetValues<TrackSuspicions>().Where(fault => fault != 0 && fit.Suspicions.HasFlag(fault)))
+        {
+            json.WriteStringValue(JsonNamingPolicy.CamelCase.ConvertName(fault.ToString()));
+        }
+
+        json.WriteEndArray();
     });
 
     private static void WriteWindows(Utf8JsonWriter json, MatchPiece piece, MatchFitResult fit)
@@ -150,23 +157,6 @@ internal static class MatchWriter
         {
             json.WriteNull("robotSoccer");
         }
-    }
-
-    /// <summary>The maximum residual and noise of a track in metres and seconds, in m.</summary>
-    private const double MostRms = 0.5;
-    private const double MostNoise = 0.35;
-
-    /// <summary>Describes the quality of a track in words.</summary>
-    public static string GoodFor(MatchFitResult fit)
-    {
-        // Launches require a few flights with residuals of about the noise. Shared parameters require several flights with a noise of centimetres.
-        double seen = Math.Max(0.02, 3 * fit.Noise);
-        return fit.Rms > MostRms || fit.Noise > MostNoise ? FormattableString.Invariant($"nothing: the fit is {fit.Rms:0.00} m off, and its points are {fit.Noise:0.00} m; check units, times and columns")
-            : fit.Flights == 0 ? "nothing that flies long enough: only when the ball was touched, and where it was on the ground"
-            : fit.Rms > seen + 0.05 ? "where the ball flew and about how fast; its track is not that of a free ball to within its noise, so no spin, wind or drag"
-            : fit.Flights < 4 || fit.Noise > 0.06 ? "launches of its flights; too few, or too coarse, for wind, drag and surface: those stay about what was known before"
-            : fit.Impacts < 4 ? "launches and spins, wind and drag; too few impacts for the surface"
-            : "launches and spins, wind and drag, and the surface";
     }
 
     private static void WriteDeviations(Utf8JsonWriter json, MatchFitResult fit)
