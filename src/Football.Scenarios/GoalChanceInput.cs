@@ -9,7 +9,17 @@ public static class GoalChanceInput
     /// <param name="shot">The object that describes the shot.</param>
     /// <param name="goals">The goals of the scene; the member "goal" is the index of one of them.</param>
     /// <exception cref="RefusedException">The scene has no such goal.</exception>
-    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals)
+    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals) =>
+        Request(shot, goals, shot.Vector("position"), shot.Vector("velocity"), shot.Vector("spin", Vector3d.Zero));
+
+    /// <summary>Reads the request for a kick that is given elsewhere.</summary>
+    /// <inheritdoc cref="Request(InputObject, IReadOnlyList{Goal})"/>
+    /// <param name="shot">The object that describes keeper, spread and kicks.</param>
+    /// <param name="goals">The goals of the scene.</param>
+    /// <param name="position">The position of the ball, in m.</param>
+    /// <param name="velocity">The intended velocity, in m/s.</param>
+    /// <param name="spin">The intended spin, in rad/s.</param>
+    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals, Vector3d position, Vector3d velocity, Vector3d spin)
     {
         InputObject spread = shot.Object("spread");
         var defaults = new KickSpread();
@@ -21,9 +31,9 @@ public static class GoalChanceInput
 
         return new GoalChanceRequest
         {
-            Position = shot.Vector("position"),
-            Velocity = shot.Vector("velocity"),
-            Spin = shot.Vector("spin", Vector3d.Zero),
+            Position = position,
+            Velocity = velocity,
+            Spin = spin,
             Goal = goals[goal],
             Keeper = shot.Has("keeper") ? PlayerInput.Player(shot.Object("keeper")) : null,
             Kicks = shot.Whole("kicks", GoalChance.Flights),

@@ -131,7 +131,7 @@ internal static class ScatterLab
             BallState ball = simulator.Launch(from, v, w);
             simulator.LookAhead(in ball, request, path);
             PlaneCrossingPoint at = path.TryGetCrossing(plane.Plane, out PathPoint crossing) ? new PlaneCrossingPoint(crossing.Time, crossing.Position) : new PlaneCrossingPoint(-1, in from);
-            sum.Add(in plane, in at, frame.GoesIn(in kick, in v, in w, in at));
+            sum.Add(in plane, in at, frame.GoesIn(in kick, in v, in w, in at, out bool hitsFrame), hitsFrame);
         }
 
         return sum.Result(kicks);

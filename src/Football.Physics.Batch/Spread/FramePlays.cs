@@ -68,8 +68,10 @@ internal sealed class FramePlays
     /// <param name="velocity">The velocity, in m/s.</param>
     /// <param name="spin">The spin, in rad/s.</param>
     /// <param name="at">The point at which it would cross the mouth without the frame.</param>
-    public bool GoesIn(in SpreadKick kick, in Vector3d velocity, in Vector3d spin, in PlaneCrossingPoint at)
+    /// <param name="hitsFrame">True if the ball hit a post or the bar.</param>
+    public bool GoesIn(in SpreadKick kick, in Vector3d velocity, in Vector3d spin, in PlaneCrossingPoint at, out bool hitsFrame)
     {
+        hitsFrame = false;
         if (!(at.Time >= 0))
         {
             return false;
@@ -100,7 +102,24 @@ internal sealed class FramePlays
             _simulator.Run(ref ball, ApproachStep, lead, StopAt.Time, _log);
         }
 
-        return HasScored() || Play(ball, at.Time + Longest);
+        bool goesIn = HasScored() || Play(ball, at.Time + Longest);
+        hitsFrame = HitsFrame();
+        return goesIn;
+    }
+
+    /// <summary>True if the ball of the last kick hit an object in the plane of the mouth.</summary>
+    private bool HitsFrame()
+    {
+        foreach (ref readonly BallEvent happened in _log.Events.Span)
+        {
+            bool isNear = Math.Abs(Vector3d.Dot(happened.Position - _mouth.Center, _mouth.Out)) <= _reach * (1 + 1e-6);
+            if (happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0 && isNear)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>True if a point of the mouth is in one of the spans in which kicks go in.</summary>

@@ -163,8 +163,8 @@ public sealed partial class GoalChance
             _flights.Fly(kick.Position, in plane, _velocities, _spins, group, _crossings);
             for (int i = 0; i < group; i++)
             {
-                bool goesIn = _frame!.GoesIn(in kick, in _velocities[i], in _spins[i], in _crossings[i]);
-                sum.Add(in plane, in _crossings[i], goesIn);
+                bool goesIn = _frame!.GoesIn(in kick, in _velocities[i], in _spins[i], in _crossings[i], out bool hitsFrame);
+                sum.Add(in plane, in _crossings[i], goesIn, hitsFrame);
             }
 
             drawn += group;

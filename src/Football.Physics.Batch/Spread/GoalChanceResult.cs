@@ -46,6 +46,13 @@ public readonly struct GoalChanceResult
     /// <summary>The probability of a ball on target that the goalkeeper cannot reach, 0 … 1.</summary>
     public double Scores => OnTarget - Covered;
 
+    /// <summary>The probability of a ball that hits the frame and does not go in, 0 … 1; null if no kicks were simulated.</summary>
+    /// <remarks>Set <see cref="GoalChanceRequest.AlwaysSimulate"/> to simulate kicks.</remarks>
+    public double? Post { get; internal init; }
+
+    /// <summary>The probability of a ball that neither goes in nor hits the frame, 0 … 1; null if no kicks were simulated.</summary>
+    public double? Wide => 1 - OnTarget - Post;
+
     /// <summary>Half the long axis of the one-standard-deviation ellipse, in m.</summary>
     public double LongAxis => Axis(1.0);
 

@@ -11,6 +11,7 @@ internal sealed class GoalChanceSum
     private int _crosses;
     private int _in;
     private int _covered;
+    private int _post;
     private double _time;
     private double _x;
     private double _y;
@@ -22,7 +23,8 @@ internal sealed class GoalChanceSum
     /// <param name="plane">The plane of the goal.</param>
     /// <param name="at">The crossing point.</param>
     /// <param name="goesIn">True if it goes in, directly or off the frame.</param>
-    public void Add(in GoalPlane plane, in PlaneCrossingPoint at, bool goesIn)
+    /// <param name="hitsFrame">True if it hits a post or the bar.</param>
+    public void Add(in GoalPlane plane, in PlaneCrossingPoint at, bool goesIn, bool hitsFrame)
     {
         int copy = _added++ % KickDraws.Copies;
         if (!(at.Time >= 0))
@@ -32,6 +34,7 @@ internal sealed class GoalChanceSum
 
         plane.Place(at.Position, out double x, out double y);
         _crosses++;
+        _post += hitsFrame && !goesIn ? 1 : 0;
         _time += at.Time;
         _x += x;
         _y += y;
@@ -69,6 +72,7 @@ internal sealed class GoalChanceSum
             Correlation = product > 0 ? Math.Min(1, Math.Max(-1, ((per * _xy) - (x * y)) / product)) : 0,
             OnTarget = (double)_in / count,
             Covered = (double)_covered / count,
+            Post = (double)_post / count,
             StandardError = StandardError(count),
         };
     }

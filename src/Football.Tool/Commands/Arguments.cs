@@ -25,6 +25,19 @@ internal static class Arguments
         CustomParser = result => ParseWhole(result, name, low, high),
     };
 
+    /// <summary>Limits an option to some words, with an error that names them.</summary>
+    public static void Among(Option option, IReadOnlyList<string> words)
+    {
+        option.CompletionSources.Add(_ => words.Select(word => new System.CommandLine.Completions.CompletionItem(word)));
+        option.Validators.Add(result =>
+        {
+            foreach (System.CommandLine.Parsing.Token token in result.Tokens.Where(token => !words.Contains(token.Value)))
+            {
+                result.AddError($"{option.Name} is {Quote.Short(token.Value)}; allowed: {string.Join(" | ", words)}.");
+            }
+        });
+    }
+
     /// <summary>Creates the option --jobs, the number of threads; default: the number of processors.</summary>
     public static Option<long> Jobs(string description) => Whole("--jobs", description, 1, 1024, Environment.ProcessorCount);
 

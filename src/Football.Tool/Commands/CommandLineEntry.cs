@@ -64,6 +64,7 @@ internal static class CommandLineEntry
             SimulateCommand.Create(terminal),
             AimCommand.Create(terminal),
             InterceptCommand.Create(terminal),
+            ChanceCommand.Create(terminal),
             FitCommand.Create(terminal),
             SweepCommand.Create(terminal),
             PlayCommand.Create(terminal),

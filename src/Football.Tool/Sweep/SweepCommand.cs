@@ -40,7 +40,7 @@ internal static class SweepCommand
             Description = "Format of the rows: JSON lines, CSV, or (with --out) one NumPy file per column or a Parquet file.",
             DefaultValueFactory = _ => RowFormat.Names[0],
         };
-        format.AcceptOnlyFromAmong([.. RowFormat.Names]);
+        Arguments.Among(format, RowFormat.Names);
         var shard = new Option<(int Index, int Of)>("--shard")
         {
             HelpName = "i/n",

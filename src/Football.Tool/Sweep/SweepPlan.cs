@@ -66,7 +66,7 @@ internal sealed class SweepPlan
 
     /// <summary>True if flights are simulated in SIMD batches. This requires that no row needs data after the first impact.</summary>
     public bool FliesInLanes =>
-        Scene.Aim is null && !SceneFields.Any(i => MayLeaveLanes(Fields[i])) && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
+        Scene.Aim is null && !SceneFields.Any(i => MayLeaveLanes(Fields[i])) && Scene.StopAt == SweepStop.Impact && Scene.Chance is null && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
         && BallBatch.SupportsSimd(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
 
     /// <summary>True if kicks are found in SIMD batches. This requires low kicks at a fixed target with any time and speed of arrival.</summary>

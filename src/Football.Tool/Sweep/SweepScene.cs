@@ -40,6 +40,9 @@ internal sealed record SweepScene
     /// <summary>The cameras that observe the samples.</summary>
     public IReadOnlyList<CameraView> Cameras { get; init; } = [];
 
+    /// <summary>Keeper, spread and kicks of the chance of a goal; null if not requested. The kick is that of a row.</summary>
+    public GoalChanceRequest? Chance { get; init; }
+
     /// <summary>The aim; null if the sweep simulates launches.</summary>
     public AimScenario? Aim { get; init; }
 
@@ -110,6 +113,7 @@ internal sealed record SweepScene
             Numbers = [.. kick, position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z],
             HasVectors = hasVectors,
             Cameras = CameraView.Take(root),
+            Chance = root.Has("chance") ? GoalChanceInput.Request(root.Object("chance"), scene.Goals, position, velocity, spin) with { AlwaysSimulate = true } : null,
             Orientation = launch.Has("orientation") ? Scenario.OrientationOf(launch) : null,
         };
     }

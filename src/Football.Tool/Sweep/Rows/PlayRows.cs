@@ -1,4 +1,5 @@
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Chance;
 using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
@@ -25,6 +26,7 @@ internal sealed class PlayRows : LaunchRows
     private readonly Trajectory _rest = new();
     private readonly bool _tellsOutcome;
     private RowCounts _counts;
+    private ChanceShares _chance;
     private CompiledScene _scene = null!;
     private PlayEnd _end;
     private int _lastEvent;
@@ -73,6 +75,7 @@ internal sealed class PlayRows : LaunchRows
         new(Column.Real("apex", "m", "greatest height of the centre"), (to, row, _) => to.Reals[row] = _path.Apex),
         new(Column.Whole("bounces", "", "impacts, on whatever it was"), (to, row, _) => to.Wholes[row] = Count(happened => happened.Kind == BallEventKind.Impact)),
         .. OutcomeSources(),
+        .. ChanceSources(),
         .. EventSources(),
         .. SampleSources(),
     ];
@@ -97,6 +100,31 @@ internal sealed class PlayRows : LaunchRows
                 }
             });
         }
+    }
+
+    private IEnumerable<ColumnSource> ChanceSources()
+    {
+        if (Plan.Scene.Chance is null)
+        {
+            return [];
+        }
+
+        ColumnSource Share(string name, string meaning, Func<ChanceShares, (double Share, double Error)> of) =>
+            new(Column.Real($"chance.{name}", "", meaning), (to, row, _) => to.Reals[row] = of(_chance).Share);
+        ColumnSource Error(string name, Func<ChanceShares, (double Share, double Error)> of) =>
+            new(Column.Real($"chance.{name}Error", "", $"standard error of chance.{name}"), (to, row, _) => to.Reals[row] = of(_chance).Error);
+        return
+        [
+            Share("goal", "probability of a goal that the keeper cannot reach", shares => shares.Goal),
+            Share("save", "probability of a ball on target that the keeper reaches", shares => shares.Save),
+            Share("post", "probability of a ball off the frame that does not go in", shares => shares.Post),
+            Share("wide", "probability of every other ball", shares => shares.Wide),
+            Error("goal", shares => shares.Goal),
+            Error("save", shares => shares.Save),
+            Error("post", shares => shares.Post),
+            Error("wide", shares => shares.Wide),
+            new(Column.Whole("chance.kicks", "", "number of simulated kicks"), (to, row, _) => to.Wholes[row] = _chance.Kicks),
+        ];
     }
 
     private IEnumerable<ColumnSource> EventSources()
@@ -170,6 +198,11 @@ internal sealed class PlayRows : LaunchRows
         {
             throw new RefusedException(FormattableString.Invariant(
                 $"row {Draws.First + row}: the motion overflows. Reduce the speeds, the coefficients or stop.time."));
+        }
+
+        if (scene.Scene.Chance is { } chance)
+        {
+            _chance = ChanceShares.Of(scene.Chances.Find(chance with { Position = Launches.Position[row], Velocity = Launches.Velocity[row], Spin = Launches.Spin[row] }));
         }
 
         _lastEvent = _path.Events.Count - 1;
@@ -268,6 +301,7 @@ internal sealed class PlayRows : LaunchRows
     {
         /// <summary>The index of each collider of the scene in the list of all scenes' colliders.</summary>
         private readonly int[] _places;
+        private GoalChance? _chances;
 
         public CompiledScene(SweepScene scene, List<string> things)
         {
@@ -292,6 +326,9 @@ internal sealed class PlayRows : LaunchRows
         public SweepScene Scene { get; }
 
         public Simulator Simulator { get; }
+
+        /// <summary>The calculator of chances.</summary>
+        public GoalChance Chances => _chances ??= new GoalChance(Scene.Scene);
 
         public LookAheadRequest Request { get; }
 
