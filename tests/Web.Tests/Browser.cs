@@ -1,4 +1,5 @@
 using System.Reflection;
+using FootballPhysics.Tests.Support;
 using Microsoft.Playwright;
 
 namespace FootballPhysics.Web.Tests;
@@ -24,9 +25,11 @@ public sealed class Browser : IAsyncLifetime
     public async ValueTask InitializeAsync()
     {
         await File.WriteAllTextAsync(Play, Tool.Playground.Html);
-        string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(':')
-            .SelectMany(folder => s_names.Select(name => Path.Combine(folder, name))).FirstOrDefault(File.Exists)
-            ?? throw new InvalidOperationException("No Chromium: apt-get install chromium-headless-shell");
+        if (Programs.Find(s_names) is not { } path)
+        {
+            return;
+        }
+
         _playwright = await Playwright.CreateAsync();
         _browser = await _playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions { ExecutablePath = path, Args = ["--no-sandbox"] });
     }
@@ -41,9 +44,13 @@ public sealed class Browser : IAsyncLifetime
         _playwright?.Dispose();
     }
 
+    /// <summary>Skips the test if there is no browser.</summary>
+    private void NeedBrowser() => Assert.SkipWhen(_browser is null, "No Chromium is in PATH. Install it, on Debian: apt-get install chromium-headless-shell");
+
     /// <summary>The page to play with in a window that tests share one after the other, set by an address anew: to start the library for each would take seconds.</summary>
     public async Task<Window> Playing(string hash = "")
     {
+        NeedBrowser();
         _playing ??= await (await Open(Play)).Ready();
         _playing.Errors.Clear();
         string before = (await _playing.Said("scene"))!;
@@ -57,6 +64,7 @@ public sealed class Browser : IAsyncLifetime
     /// <summary>A window of a width with a page in it.</summary>
     public async Task<Window> Open(string file, int width = 1280, bool dark = false, string hash = "")
     {
+        NeedBrowser();
         IBrowserContext context = await _browser!.NewContextAsync(new BrowserNewContextOptions
         {
             ViewportSize = new ViewportSize { Width = width, Height = width > 600 ? 800 : 844 },
