@@ -80,7 +80,8 @@ class Derivatives(NamedTuple):
 
 
 def _rows(values: ArrayLike, n: int, name: str) -> Floats:
-    rows = np.ascontiguousarray(np.broadcast_to(np.asarray(values, np.float64), (n, 3)) if np.ndim(values) < 2 else values, np.float64)
+    shape = np.shape(values)
+    rows = np.ascontiguousarray(np.broadcast_to(np.asarray(values, np.float64), (n, 3)) if shape in ((), (1,), (3,)) else values, np.float64)
     if rows.shape != (n, 3):
         raise ValueError(f"{name} has shape {np.shape(values)}; allowed: ({n}, 3), or (3,) for all balls.")
     return rows
@@ -129,8 +130,10 @@ class Balls:
         _native.check(_native.launch_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
         self._read()
 
-    def kick(self, which: Any, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
+    def kick(self, which: Any, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0), **unknown: Any) -> None:
         """Kicks balls from their positions. For which, see :meth:`place`. Speeds are at most 1000 m/s, spins at most 10 000 rad/s."""
+        if unknown:
+            raise TypeError(f"kick has no argument {', '.join(unknown)}. Pass velocity and spin as vectors: spin=[0, 40, 0] is a sidespin of 40 rad/s, and the topspin of a kick to -z is -x.")
         mask, rows = self._chosen(which, (velocity, "velocity"), (spin, "spin"))
         _native.check(_native.kick_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
         self._read()

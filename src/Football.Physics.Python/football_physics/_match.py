@@ -164,6 +164,8 @@ class Match:
         velocity, spin: (n, 3), (3,) or one number; m/s, rad/s.
         in_play: (n,) or one flag; False withdraws a body, so that no ball hits it.
         """
+        if not self._bodies:
+            raise ValueError("the match has no bodies to move. List them in the scenario: Match({\"bodies\": [...]}).")
         places = np.atleast_2d(np.asarray(position, np.float64))
         if places.ndim != 2 or places.shape[1] != 3:
             raise ValueError(f"position has shape {np.shape(position)}; allowed: (n, 3) or (3,).")

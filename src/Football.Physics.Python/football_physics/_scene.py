@@ -26,6 +26,8 @@ class Scene:
     """
 
     def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}") -> None:
+        if isinstance(scenario, Mapping) and "bodies" in scenario:
+            raise ValueError("bodies is a member of a match. Use Match(scenario), whose bodies you can move, or obstacles for things that stand still.")
         text = scenario if isinstance(scenario, str) else _native.text(scenario).decode()
         handle = ctypes.c_void_p()
         bytes_ = text.encode()
