@@ -188,6 +188,8 @@ class Refusals(unittest.TestCase):
             ("steps is -1; allowed: ", lambda: balls.step(0.01, -1)),
             ("launch.velocity is ", lambda: balls.kick(None, [0, np.nan, 0])),
             ("velocity has shape", lambda: balls.kick(None, np.zeros((3, 3)))),
+            (r"velocity has shape \(2,\)", lambda: balls.kick(None, [1, 2])),
+            ("bodies is a member of a match", lambda: fp.Scene({"bodies": []})),
             ("the mask has shape", lambda: balls.kick(np.array([True]), [0, 0, 0])),
             ("of the balls that are named", lambda: balls.kick([2], [0, 0, 0])),
             ("state has 3 bytes", lambda: setattr(balls, "state", b"abc")),
