@@ -1,5 +1,6 @@
 using FootballPhysics.Labs.Verdicts;
 using FootballPhysics.Tracks;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Tests;
 

@@ -25,7 +25,7 @@ public sealed class Browser : IAsyncLifetime
     public async ValueTask InitializeAsync()
     {
         await File.WriteAllTextAsync(Play, Tool.Playground.Html);
-        if (Programs.Find(s_names) is not { } path)
+        if (NeededPrograms.Find(s_names) is not { } path)
         {
             return;
         }

@@ -165,7 +165,7 @@ public sealed class NpmTests(ITestOutputHelper told)
     /// <summary>Runs a program in Node, and returns the lines that it prints.</summary>
     private static async Task<string[]> Node(params string[] arguments)
     {
-        Programs.Need("apt-get install nodejs", "node");
+        NeededPrograms.Need("apt-get install nodejs", "node");
         var start = new ProcessStartInfo("node", arguments) { RedirectStandardOutput = true, RedirectStandardError = true, StandardOutputEncoding = Encoding.UTF8 };
         using Process node = Process.Start(start)!;
         Task<string> error = node.StandardError.ReadToEndAsync();

@@ -13,7 +13,7 @@ internal sealed record Shell(int ExitCode, string Output, string Error)
 
     public static async Task<Shell> RunAsync(string line)
     {
-        Programs.Need("apt-get install bash", "bash");
+        NeededPrograms.Need("apt-get install bash", "bash");
         DirectoryInfo folder = Directory.CreateTempSubdirectory("football-shell-");
         try
         {

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Tests.Support;
 
 /// <summary>Programs that some tests need and the .NET SDK does not bring. A test without its program is skipped, with the reason.</summary>
-internal static class Programs
+internal static class NeededPrograms
 {
     private static readonly string[] s_suffixes = OperatingSystem.IsWindows() ? [".exe", ".cmd"] : [""];
 
