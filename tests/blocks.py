@@ -40,6 +40,7 @@ SCRIPTS = {
     "docs/data-sets.md#python": "tests/native.sh",
     "docs/getting-started.md#install": "tests/package.sh",
     "docs/getting-started.md#a-first-kick": "tests/package.sh",
+    "docs/godot.md#gdscript-without-c": "tests/native.sh",
     "docs/performance.md#warm-up-the-first-step-is-slow": "tests/package.sh",
     "samples/Network/README.md#two-machines-one-match": ".ci/run",
 }

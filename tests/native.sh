@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks and a match with the bits of C#, hostile calls, the header in C++, what is exported,
-# the wheel for Python, installed into a fresh environment, and the games in LÖVE and pygame, each with a picture.
+# the wheel for Python, installed into a fresh environment, the extension for Godot in a stand-in for the engine, and the games in LÖVE and pygame, each with a picture.
 #   tests/native.sh [CALLS]       hostile calls; default 1 000 000
 # Needs clang or gcc, g++, CMake, and Debian's python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
 set -euo pipefail
@@ -111,6 +111,35 @@ quietly "hostile.c" gcc -O1 -g -std=c99 -pthread -fsanitize=address,undefined -f
 start=$SECONDS
 ASAN_OPTIONS=$sanitizers "$work/hostile" "$calls" > "$work/said" 2> "$log" || fail "hostile.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitizers, in $(( SECONDS - start )) s"
+
+# --- Godot without C#
+
+# godot NAME FLAGS...: builds the extension and the stand-in for Godot with these flags.
+godot() {
+  local name=$1
+  shift
+  quietly "the extension for Godot, $name" env FOOTBALL_BIN="$work/$name" samples/GDExtension/build.sh "$prefix" -Werror "$@"
+  quietly "godot_host.c, $name" gcc -std=c99 -pedantic -D_GNU_SOURCE -Wall -Wextra -Werror "$@" -I"$prefix/include" tests/Native/godot_host.c -o "$work/$name/host" -ldl -lm
+}
+# plays HOST EXTENSION: the names of two builds.
+plays() { "$work/$1/host" "$work/$2/libfootball_godot.so" tests/Native/godot-methods.tsv; }
+start=$SECONDS
+sanitized=(-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+echo leak:libfootball_physics.so > "$work/suppressed"
+FOOTBALL_BIN=$work/plain page docs/godot.md#gdscript-without-c
+quietly "godot_host.c" gcc -std=c99 -D_GNU_SOURCE -O2 -I"$prefix/include" tests/Native/godot_host.c -o "$work/plain/host" -ldl -lm
+godot single "${sanitized[@]}"
+godot double "${sanitized[@]}" -DFOOTBALL_GODOT_DOUBLE
+plays plain plain > "$work/godot.txt" 2> "$log" || fail "the extension for Godot"
+diff tests/Native/godot.txt "$work/godot.txt" > "$log" || fail "the extension for Godot: other results than C# has"
+for name in single double; do
+  # The leaks of the extension itself count; the .NET runtime keeps its heap to the end.
+  ASAN_OPTIONS=$sanitizers:detect_leaks=1 LSAN_OPTIONS=suppressions=$work/suppressed:print_suppressions=0 plays $name $name > "$work/godot.txt" 2> "$log" || fail "the extension for Godot under sanitizers, $name"
+  diff tests/Native/godot.txt "$work/godot.txt" > "$log" || fail "the extension for Godot, $name: other results than C# has"
+done
+if ASAN_OPTIONS=$sanitizers plays double single > "$log" 2>&1; then fail "an extension of single precision loads into an engine of double precision"; fi
+grep -q 'another precision' "$log" || fail "an extension of another precision"
+ok "samples/GDExtension in a stand-in for Godot: $(grep -c . tests/Native/godot.txt) lines with the hashes of C#, in both precisions under the address sanitizer, no leak; $(grep -c '^[A-Z]' tests/Native/godot-methods.tsv) hashes of methods, in $(( SECONDS - start )) s"
 
 # --- Python
 
