@@ -27,6 +27,7 @@ SCRIPTS = {
     "CONTRIBUTING.md#build-test-measure": ".ci/run",
     "docs/c.md#c-c-and-unreal": "tests/native.sh",
     "docs/c.md#lua-and-love2d": "tests/native.sh",
+    "docs/c.md#rust": "tests/native.sh",
     "docs/c.md#javascript-npm-web-pages-and-threejs": "tests/npm.sh",
     "docs/c.md#threejs": "tests/npm.sh",
     "docs/command-line.md#install": "tests/tool.sh",

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks and a match with the bits of C#, hostile calls, the header in C++, what is exported,
-# the wheel for Python, installed into a fresh environment, the extension for Godot in a stand-in for the engine, and the games in LÖVE and pygame, each with a picture.
+# the wheel for Python, installed into a fresh environment, the kick in Rust, the extension for Godot in a stand-in for the engine, and the games in LÖVE and pygame, each with a picture.
 #   tests/native.sh [CALLS]       hostile calls; default 1 000 000
-# Needs clang or gcc, g++, CMake, and Debian's python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
+# Needs clang or gcc, g++, CMake, Rust, and Debian's bindgen, python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -112,7 +112,11 @@ start=$SECONDS
 ASAN_OPTIONS=$sanitizers "$work/hostile" "$calls" > "$work/said" 2> "$log" || fail "hostile.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitizers, in $(( SECONDS - start )) s"
 
-# --- Godot without C#
+# --- Rust, and Godot without C#
+
+start=$SECONDS
+page docs/c.md#rust
+ok "samples/Rust, $(grep -c . samples/Rust/kick.rs) lines, with the declarations of $(bindgen --version): $("$work/clone/out/kick" | tail -n 1), in $(( SECONDS - start )) s"
 
 # godot NAME FLAGS...: builds the extension and the stand-in for Godot with these flags.
 godot() {
