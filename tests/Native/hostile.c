@@ -307,7 +307,7 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
             for (int i = 0; i < 14; i++) sizes[i] = (int32_t)next(seed);
             return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 14, INT32_MAX));
         }
-        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 248);
+        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 256);
     case 50:
         if (below(seed, 8) == 0) {
             fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);
