@@ -54,9 +54,9 @@ internal static class DrawnPoints
             off[i] = Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z)));
         }
 
-        double[] heights = [.. track.Select(point => point.Position.Y).Order()];
+        double[] heights = [.. track.Select(point => point.Position.Y).OrderBy(value => value)];
         double high = heights[heights.Length / 10] + Low;
-        double[] usual = [.. Enumerable.Range(1, track.Length - 2).Where(i => track[i].Position.Y > high).Select(i => off[i]).Order()];
+        double[] usual = [.. Enumerable.Range(1, track.Length - 2).Where(i => track[i].Position.Y > high).Select(i => off[i]).OrderBy(value => value)];
         double wait = (track[^1].Time - track[0].Time) / (track.Length - 1);
         double tolerance = Math.Max(LeastTolerance, Digits * Digit(track));
         if (usual.Length == 0 || tolerance > MostOfUsual * usual[usual.Length * 3 / 4] || tolerance > MostOfFall * 0.5 * Gravity * wait * wait)
@@ -116,7 +116,7 @@ internal static class DrawnPoints
         double least = double.PositiveInfinity;
         for (int axis = 0; axis < 3; axis++)
         {
-            double[] sorted = [.. track.Select(point => axis == 0 ? point.Position.X : axis == 1 ? point.Position.Y : point.Position.Z).Order()];
+            double[] sorted = [.. track.Select(point => axis == 0 ? point.Position.X : axis == 1 ? point.Position.Y : point.Position.Z).OrderBy(value => value)];
             for (int i = 1; i < sorted.Length; i++)
             {
                 double step = sorted[i] - sorted[i - 1];

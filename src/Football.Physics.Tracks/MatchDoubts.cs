@@ -122,7 +122,7 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         int middle = flights.Count / 2;
         double half = 0.5 * (track[flights[0].First].Time + track[flights[^1].End - 1].Time);
         int byTime = Math.Clamp(flights.FindIndex(flight => track[flight.First].Time >= half), LeastFlights, flights.Count - LeastFlights);
-        int pause = Enumerable.Range(LeastFlights, flights.Count - (2 * LeastFlights) + 1).MaxBy(i => track[flights[i].First].Time - track[flights[i - 1].End - 1].Time);
+        int pause = Enumerable.Range(LeastFlights, flights.Count - (2 * LeastFlights) + 1).OrderByDescending(i => track[flights[i].First].Time - track[flights[i - 1].End - 1].Time).First();
         foreach (int split in new HashSet<int> { middle, byTime, pause })
         {
             (Vector3d before, Vector3d beforeVariance) = Wind(fit, law, 0, split, launches, watch);
