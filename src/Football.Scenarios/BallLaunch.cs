@@ -7,8 +7,8 @@ namespace FootballPhysics.Scenarios;
 /// <param name="Position">The position at the start, in m.</param>
 /// <param name="Velocity">The velocity, in m/s.</param>
 /// <param name="Spin">The spin, in rad/s.</param>
-/// <param name="Orientation">The orientation.</param>
-public sealed record BallLaunch(BallProperties Ball, Vector3d Position, Vector3d Velocity, Vector3d Spin, Quaterniond Orientation)
+/// <param name="Orientation">The orientation; null for that of a launch without one.</param>
+public sealed record BallLaunch(BallProperties Ball, Vector3d Position, Vector3d Velocity, Vector3d Spin, Quaterniond? Orientation)
 {
     /// <summary>Reads the launches of all balls.</summary>
     /// <param name="root">The scenario.</param>

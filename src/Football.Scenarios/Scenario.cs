@@ -38,7 +38,8 @@ public sealed record Scenario
 
     public Vector3d Spin { get; init; }
 
-    public Quaterniond Orientation { get; init; } = Quaterniond.Identity;
+    /// <summary>The orientation at the launch; null for that of a launch without one.</summary>
+    public Quaterniond? Orientation { get; init; }
 
     public StopAt StopAt { get; init; } = StopAt.Impact;
 
@@ -112,7 +113,7 @@ public sealed record Scenario
             Position = several ? Vector3d.Zero : launch.Vector("position"),
             Velocity = several ? Vector3d.Zero : launch.Vector("velocity"),
             Spin = several ? Vector3d.Zero : launch.Vector("spin", Vector3d.Zero),
-            Orientation = several ? Quaterniond.Identity : OrientationOf(launch),
+            Orientation = several ? null : OrientationOf(launch),
             StopAt = stopAt,
             Duration = duration,
             Samples = samples,
@@ -120,11 +121,14 @@ public sealed record Scenario
         };
     }
 
-    /// <summary>Returns the orientation of the ball at its launch.</summary>
-    public static Quaterniond OrientationOf(InputObject launch)
+    /// <summary>Returns the orientation of the ball at its launch; null if it is missing.</summary>
+    public static Quaterniond? OrientationOf(InputObject launch)
     {
-        Quaterniond none = Quaterniond.Identity;
-        double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [none.X, none.Y, none.Z, none.W]);
+        double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [0, 0, 0, 1]);
+        if (!launch.Has("orientation"))
+        {
+            return null;
+        }
 
         // Scale first: the square of a very large or very small number would be infinite or zero.
         double largest = parts.Max(Math.Abs);

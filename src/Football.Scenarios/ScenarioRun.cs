@@ -20,7 +20,7 @@ public static class ScenarioRun
         }
 
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
-        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation ?? simulator.LaunchOrientation);
         var highest = new HighestPoint(state.Position.Y);
         var log = new StepLog(mostEvents: MostEvents) { Observer = highest };
         List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
@@ -68,7 +68,7 @@ public static class ScenarioRun
     private static Outcome PlaySeveral(Scenario scenario)
     {
         var group = new BallGroup(scenario.Scene, [.. scenario.Balls.Select(ball => ball.Ball)], scenario.Settings, scenario.BallContact);
-        BallState[] states = [.. scenario.Balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin, ball.Orientation))];
+        BallState[] states = [.. scenario.Balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin, ball.Orientation ?? group.SimulatorOf(i).LaunchOrientation))];
         var log = new StepLog(mostEvents: MostEvents);
         List<Moment>[] samples = scenario.Samples ? [.. states.Select(state => new List<Moment> { Moment.Of(in state) })] : [];
         bool ended = group.Run(states, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, samples.Length == 0 ? null : () =>
@@ -153,7 +153,7 @@ public static class ScenarioRun
         // Use a new simulator: the run has moved the objects that yield.
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
         var derivatives = new LaunchDerivatives(simulator);
-        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation ?? simulator.LaunchOrientation);
         derivatives.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt);
         return derivatives;
     }

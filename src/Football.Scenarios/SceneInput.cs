@@ -89,8 +89,13 @@ public static class SceneInput
             curve = ball.Object("dragCurve").Numbers(SceneFields.Drag, curve);
         }
 
-        NumberField<BallProperties>[] numbers = profile == Profile.Measured ? SceneFields.Ball : [.. SceneFields.Ball.Where(field => field.Name != "knuckleForce")];
-        return ball.Numbers(numbers, defaults) with { DragCurve = curve, Ignores = Layers.Of(ball.Layers("ignores")) };
+        NumberField<BallProperties>[] numbers = profile == Profile.Measured ? SceneFields.Ball : [.. SceneFields.Ball.Where(field => field.Name is not ("knuckleForce" or "reverseLift"))];
+        return ball.Numbers(numbers, defaults) with
+        {
+            DragCurve = curve,
+            SeamSeed = profile == Profile.Measured ? ball.Seed("seamSeed", defaults.SeamSeed) : defaults.SeamSeed,
+            Ignores = Layers.Of(ball.Layers("ignores")),
+        };
     }
 
     private static ForceSet Forces(InputObject forces, ForceSet defaults) => forces.Numbers(SceneFields.Forces, defaults) with

@@ -22,10 +22,10 @@ internal abstract class LaneFlight
 
     /// <summary>Returns true if lanes support a scene.</summary>
     /// <remarks>
-    /// They support laws of one kind, or none, above level ground. They support no custom forces, variable wind, knuckle force, or objects.
+    /// They support laws of one kind, or none, above level ground. They support no custom forces, variable wind, knuckle force, reverse lift, or objects.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
-    public static bool Covers(Scene scene) => !scene.HasOwnForces && !scene.IsTilted && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null
+    public static bool Covers(Scene scene) => !scene.HasOwnForces && !scene.IsTilted && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null && scene.Ball.ReverseLift == 0
         && scene.Ground.IsLevel && scene.Ground.Pattern is null && !scene.HasThings;
 
     /// <summary>Compiles a scene.</summary>

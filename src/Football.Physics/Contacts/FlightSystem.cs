@@ -10,6 +10,9 @@ internal unsafe struct FlightSystem : IMotionSystem
     public Surroundings Around;
     public DragBranch Branch;
 
+    /// <summary>The orientation at the start of the piece; set only if a knuckle force acts.</summary>
+    public Quaterniond Orientation;
+
     /// <summary>The nets that the ball is in, and its side of each.</summary>
     public ulong Nets;
     public ulong NetSides;
@@ -38,7 +41,9 @@ internal unsafe struct FlightSystem : IMotionSystem
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         rates = new MotionRates(
             noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
-            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
+            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)),
+            noSpin.AirSpeed,
+            in noSpin.Turning);
     }
 
     public readonly double LongestPart(in Motion at, in MotionRates rates) => Around.World.NetForces.Longest(Nets, NetSides, in at.Position, in at.Velocity);
@@ -59,14 +64,19 @@ internal unsafe struct FlightSystem : IMotionSystem
     /// <summary>Returns the rates on one branch of the drag law.</summary>
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
-        MotionRates rates = new FreeForces(Around, branch, MotionState.Airborne, time, in at, Trace).InFlight;
+        MotionRates rates = new FreeForces(Around, branch, MotionState.Airborne, time, in at, Trace, in Orientation).InFlight;
+        if (Around.Air.HasSide)
+        {
+            rates = rates.Turned(in at);
+        }
+
         if (Nets == 0)
         {
             return rates;
         }
 
         MotionRates nets = Around.World.NetForces.Push(Nets, NetSides, NetsSlack, in at);
-        return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
+        return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed, in rates.Turning);
     }
 
     /// <summary>Returns the share of the spinning branch that keeps the ball on the surface <see cref="Branch"/>.</summary>

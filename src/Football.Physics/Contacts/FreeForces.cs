@@ -23,13 +23,18 @@ internal unsafe struct FreeForces
     /// <param name="time">The time, s.</param>
     /// <param name="at">The ball.</param>
     /// <param name="trace">Receives the custom forces; null if nobody needs them.</param>
-    public FreeForces(Surroundings around, DragBranch branch, MotionState motion, double time, in Motion at, ForceTrace* trace = null)
+    /// <param name="orientation">The orientation at the start of the step, for the knuckle force.</param>
+    public FreeForces(
+        Surroundings around, DragBranch branch, MotionState motion, double time, in Motion at, ForceTrace* trace = null, in Quaterniond orientation = default)
     {
         _around = around;
         _spin = at.Spin;
         Vector3d u = at.Velocity - around.Wind;
         SpinRate = around.Air.Varies
-            ? around.Air.Evaluate(new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, motion, at.AirDistance), branch, out Air, trace)
+            ? around.Air.Evaluate(
+                new ForceContext(
+                    time, in at.Position, in at.Velocity, in u, in at.Spin, motion, at.AirDistance, around.Air.HasSide ? orientation.Turned(in at.Turn) : default),
+                branch, out Air, trace)
             : around.Air.OfLaws(in u, in at.Spin, branch, out Air);
     }
 

@@ -174,7 +174,7 @@ internal sealed unsafe class Rest
     private bool HangsStill(in BallState s)
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
+        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides, Orientation = s.Orientation };
         Vector3d left = system.On(_around.BranchAt(in at), s.Time, in at).Acceleration;
         return left.LengthSquared <= InBalance * InBalance || IsHeldByEnds(in s, in left);
     }

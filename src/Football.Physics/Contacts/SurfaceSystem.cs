@@ -40,6 +40,9 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <summary>Material of the carrier below the ball, for the entire piece.</summary>
     public ContactMaterial Material;
     public DragBranch Branch;
+
+    /// <summary>The orientation at the start of the piece; set only if a knuckle force acts.</summary>
+    public Quaterniond Orientation;
     public ulong Nets;
     public ulong NetSides;
 
@@ -118,6 +121,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Branch = branch,
         Nets = s.Nets,
         NetSides = s.NetSides,
+        Orientation = around.Air.HasSide ? s.Orientation : default,
     };
 
     public void Rates(double time, in Motion at, out MotionRates rates)
@@ -138,14 +142,14 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <summary>Returns the rates of change for the forces of the last evaluation.</summary>
     public MotionRates RatesAt(in Motion at)
     {
-        if (Rolls)
+        if (!Rolls)
         {
-            return Rolling(in at, in Forces);
+            // A spin whose square underflows has no direction in which it could end.
+            _ending = Forces.Braking > Turning(in Forces) && !Around.Air.Varies && StartSpin.LengthSquared > 0 ? Forces.Braking : 0;
         }
 
-        // A spin whose square underflows has no direction in which it could end.
-        _ending = Forces.Braking > Turning(in Forces) && !Around.Air.Varies && StartSpin.LengthSquared > 0 ? Forces.Braking : 0;
-        return Sliding(in at, in Forces);
+        MotionRates rates = Rolls ? Rolling(in at, in Forces) : Sliding(in at, in Forces);
+        return Around.Air.HasSide ? rates.Turned(in at) : rates;
     }
 
     public readonly int Margins => (int)Limit.Spin + 1;
@@ -259,7 +263,8 @@ internal unsafe struct SurfaceSystem : IContactMotion
         if (Around.Air.HasSide && on.FreeLoad <= ContactTolerances.LeastLoad)
         {
             // A knuckle force acts only in flight. If it would press the ball back at once, the ball stays on the surface.
-            on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in free.Air.AirVelocity, in at.Spin, at.AirDistance), in n));
+            Vector3d side = Around.Air.Side(in free.Air.AirVelocity, in at.Spin, at.AirDistance, Orientation.Turned(in at.Turn));
+            on.FreeLoad -= Math.Min(0, Vector3d.Dot(in side, in n));
         }
     }
 

@@ -44,7 +44,7 @@ public sealed class Aerodynamics
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The constant buoyancy of the ball, in N: 0.066 upwards for a football, zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
+    /// <summary>The constant buoyancy of the ball, in N: 0.066 upwards for a football, zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double, Quaterniond?)"/> does not include it.</summary>
     public Vector3d Buoyancy { get; }
 
     /// <summary>Computes the force and the torque on a ball at one instant.</summary>
@@ -55,15 +55,16 @@ public sealed class Aerodynamics
     /// <param name="time">The time, in s; 0 … 1e12. Only custom forces and a wind that varies over time depend on it.</param>
     /// <param name="airDistance">The distance that the ball has flown through the air since the kick, in m; 0 … 1e45. Only the knuckle force depends on
     /// it.</param>
+    /// <param name="orientation">The orientation of the ball. Only the knuckle force depends on it. Default: the identity.</param>
     /// <returns>The force, in N, and the torque, in N m, for the mass and the moment of inertia of the scene's ball.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
-    public ForceAndTorque Evaluate(Vector3d position, Vector3d velocity, Vector3d spin, double time = 0, double airDistance = 0)
+    public ForceAndTorque Evaluate(Vector3d position, Vector3d velocity, Vector3d spin, double time = 0, double airDistance = 0, Quaterniond? orientation = null)
     {
         Validate(in position, in velocity, in spin);
         Check.Within("time", time, 0, Limits.Time);
         Check.Within("airDistance", airDistance, 0, FarthestFlown);
-        return At(in position, in velocity, in spin, time, airDistance);
+        return At(in position, in velocity, in spin, time, airDistance, Unit(orientation));
     }
 
     /// <summary>Computes the force and the torque on many balls at one instant. The balls do not affect each other.</summary>
@@ -73,6 +74,7 @@ public sealed class Aerodynamics
     /// <param name="time">The time, in s.</param>
     /// <param name="loads">Receives the force and the torque of each ball.</param>
     /// <param name="airDistances">The distances flown through the air, in m; one per ball. Empty means 0 for all balls.</param>
+    /// <param name="orientations">The orientations; one per ball. Empty means the identity for all balls.</param>
     /// <exception cref="ArgumentException">The spans do not have the same length.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it. Nothing has been written.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite. The loads of earlier balls have been written.</exception>
@@ -82,7 +84,8 @@ public sealed class Aerodynamics
         ReadOnlySpan<Vector3d> spins,
         double time,
         Span<ForceAndTorque> loads,
-        ReadOnlySpan<double> airDistances = default)
+        ReadOnlySpan<double> airDistances = default,
+        ReadOnlySpan<Quaterniond> orientations = default)
     {
         SameLength("velocities", velocities.Length, positions.Length);
         SameLength("spins", spins.Length, positions.Length);
@@ -90,6 +93,11 @@ public sealed class Aerodynamics
         if (!airDistances.IsEmpty)
         {
             SameLength("airDistances", airDistances.Length, positions.Length);
+        }
+
+        if (!orientations.IsEmpty)
+        {
+            SameLength("orientations", orientations.Length, positions.Length);
         }
 
         // Validate all input before writing any output.
@@ -104,9 +112,14 @@ public sealed class Aerodynamics
             Check.Within("airDistance", airDistances[i], 0, FarthestFlown);
         }
 
+        foreach (ref readonly Quaterniond orientation in orientations)
+        {
+            Check.Rotation("orientation", orientation);
+        }
+
         for (int i = 0; i < positions.Length; i++)
         {
-            loads[i] = At(in positions[i], in velocities[i], in spins[i], time, airDistances.IsEmpty ? 0 : airDistances[i]);
+            loads[i] = At(in positions[i], in velocities[i], in spins[i], time, airDistances.IsEmpty ? 0 : airDistances[i], orientations.IsEmpty ? Quaterniond.Identity : orientations[i].Normalized());
         }
     }
 
@@ -121,13 +134,14 @@ public sealed class Aerodynamics
     /// <param name="step">The length of the engine's step, in s; 0 … 1.</param>
     /// <param name="gravity">The engine's gravitational acceleration, in m/s².</param>
     /// <param name="time">The time, in s.</param>
+    /// <param name="orientation">The orientation of the ball. Only the knuckle force depends on it. Default: the identity.</param>
     /// <returns>v − ½ Δt (g + F/m), with the force F of the air at the kick.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
-    public Vector3d KickVelocity(Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0)
+    public Vector3d KickVelocity(Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0, Quaterniond? orientation = null)
     {
         Check.Within("step", step, 0, 1);
         Check.Size("gravity", gravity, Limits.Speed, "m/s²");
-        return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
+        return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time, orientation: orientation).Force / _mass)));
     }
 
     /// <summary>Computes the force and the torque for the next step of an engine that uses semi-implicit Euler, after a kick with
@@ -144,16 +158,17 @@ public sealed class Aerodynamics
     /// <param name="gravity">The engine's gravitational acceleration, in m/s².</param>
     /// <param name="time">The time, in s.</param>
     /// <param name="airDistance">The distance that the ball has flown through the air since the kick, in m.</param>
+    /// <param name="orientation">The orientation of the body. Only the knuckle force depends on it. Default: the identity.</param>
     /// <returns>The force, in N, and the torque, in N m.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public ForceAndTorque EvaluateForStep(
-        Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0, double airDistance = 0)
+        Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0, double airDistance = 0, Quaterniond? orientation = null)
     {
         Check.Within("step", step, 0, 1);
         Check.Size("gravity", gravity, Limits.Speed, "m/s²");
-        Vector3d acceleration = gravity + (Evaluate(position, velocity, spin, time, airDistance).Force / _mass);
-        return At(in position, velocity + (0.5 * step * acceleration), in spin, time, airDistance);
+        Vector3d acceleration = gravity + (Evaluate(position, velocity, spin, time, airDistance, orientation).Force / _mass);
+        return At(in position, velocity + (0.5 * step * acceleration), in spin, time, airDistance, Unit(orientation));
     }
 
     private static void Validate(in Vector3d position, in Vector3d velocity, in Vector3d spin)
@@ -171,11 +186,22 @@ public sealed class Aerodynamics
         }
     }
 
-    private ForceAndTorque At(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, double airDistance)
+    private static Quaterniond Unit(in Quaterniond? orientation)
+    {
+        if (orientation is not { } given)
+        {
+            return Quaterniond.Identity;
+        }
+
+        Check.Rotation("orientation", given);
+        return given.Normalized();
+    }
+
+    private ForceAndTorque At(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, double airDistance, in Quaterniond orientation)
     {
         Vector3d u = velocity - _wind;
         DragBranch branch = DragJump.BranchAt(_jumps, u.LengthSquared, _radiusSquared * spin.LengthSquared);
-        var ball = new ForceContext(time, in position, in velocity, in u, in spin, MotionState.Airborne, airDistance);
+        var ball = new ForceContext(time, in position, in velocity, in u, in spin, MotionState.Airborne, airDistance, in orientation);
         _air.Evaluate(in ball, branch, out AirFactors factors);
         MotionRates rates = factors.Rates(in spin, Vector3d.Zero, _varies);
         return new ForceAndTorque(_mass * rates.Acceleration, _inertia * rates.SpinAcceleration);

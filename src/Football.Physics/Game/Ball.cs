@@ -98,11 +98,19 @@ public sealed class Ball
     /// <remarks>A ball placed above the ground falls. Bodies keep their current positions and continue to move from there.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
-    public void Place(Vector3d position)
+    public void Place(Vector3d position) => Place(position, Simulator.LaunchOrientation);
+
+    /// <summary>Places the ball with an orientation and with zero velocity and spin, and resets its clock to 0.</summary>
+    /// <remarks>A kick keeps the orientation. With a knuckle force, a ball that hardly spins flies along another path in each orientation.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
+    /// <param name="orientation">The orientation; it is normalised. Default <see cref="Simulator.LaunchOrientation"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
+    public void Place(Vector3d position, Quaterniond orientation)
     {
         Check.Place("launch.position", position);
+        Check.Rotation("launch.orientation", orientation);
         Simulator.World.Bodies?.MoveClock(_state.Time, 0, isNew: true);
-        _state = AtRest(Simulator, position, 0);
+        _state = AtRest(Simulator, in position, in orientation, 0);
         _log.Clear();
     }
 
@@ -112,9 +120,18 @@ public sealed class Ball
     /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
     /// <param name="spin">The spin in the world frame, in rad/s; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    public void Launch(Vector3d position, Vector3d velocity, Vector3d spin)
+    public void Launch(Vector3d position, Vector3d velocity, Vector3d spin) => Launch(position, velocity, spin, Simulator.LaunchOrientation);
+
+    /// <summary>Places the ball with an orientation, a velocity and a spin, and resets its clock to 0.</summary>
+    /// <remarks>Bodies keep their current positions and continue to move from there.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
+    /// <param name="spin">The spin in the world frame, in rad/s; at most 10 000.</param>
+    /// <param name="orientation">The orientation; it is normalised. Default <see cref="Simulator.LaunchOrientation"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    public void Launch(Vector3d position, Vector3d velocity, Vector3d spin, Quaterniond orientation)
     {
-        BallState launched = Simulator.Launch(position, velocity, spin);
+        BallState launched = Simulator.Launch(position, velocity, spin, orientation);
         Simulator.World.Bodies?.MoveClock(_state.Time, 0, isNew: true);
         _state = launched;
         _log.Clear();
@@ -198,6 +215,8 @@ public sealed class Ball
     public void Step(int dt) => Step((double)dt);
 
     /// <summary>Returns the state of a ball without motion: at rest if a surface supports it.</summary>
-    internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0) =>
-        simulator.Placed(in position, Vector3d.Zero, Vector3d.Zero, Quaterniond.Identity, time);
+    internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0) => AtRest(simulator, in position, simulator.LaunchOrientation, time);
+
+    private static BallState AtRest(Simulator simulator, in Vector3d position, in Quaterniond orientation, double time) =>
+        simulator.Placed(in position, Vector3d.Zero, Vector3d.Zero, in orientation, time);
 }

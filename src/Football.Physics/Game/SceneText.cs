@@ -65,7 +65,7 @@ internal sealed class SceneText
         }
 
         Text("profile", "measured");
-        Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Curve(scene.Ball.DragCurve).Ignores(scene.Ball.Ignores));
+        Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Whole("seamSeed", scene.Ball.SeamSeed).Curve(scene.Ball.DragCurve).Ignores(scene.Ball.Ignores));
         Object("air", () => AddAir(scene.Air, scene.Ground));
         _ = scene.Sideways == Vector3d.Zero ? Number("gravity", scene.Gravity) : Vector("gravity", scene.GravityVector);
         Object("forces", () => AddForces(scene.Forces));
@@ -102,7 +102,7 @@ internal sealed class SceneText
             Number("speed", wind.Speed).Numbers("direction", wind.Direction.X, wind.Direction.Z).Number("referenceHeight", wind.ReferenceHeight).Number("roughness", wind.Roughness);
             if (wind.Gusts is { } gusts)
             {
-                Object("gusts", () => Raw("seed", gusts.Seed.ToString(CultureInfo.InvariantCulture)).Number("intensity", gusts.Intensity).Number("length", gusts.Length));
+                Object("gusts", () => Whole("seed", gusts.Seed).Number("intensity", gusts.Intensity).Number("length", gusts.Length));
             }
         });
     }
@@ -118,7 +118,7 @@ internal sealed class SceneText
             .Numbers(SceneFields.Forces, forces);
         if (forces.KnuckleSeed is { } seed)
         {
-            Raw("knuckleSeed", seed.ToString(CultureInfo.InvariantCulture));
+            Whole("knuckleSeed", seed);
         }
     }
 
@@ -173,6 +173,8 @@ internal sealed class SceneText
 
     private SceneText Ignores(uint set) =>
         set == 0 ? this : Numbers("ignores", [.. Enumerable.Range(0, Layers.Highest + 1).Where(layer => Layers.Contains(set, layer)).Select(layer => (double)layer)]);
+
+    private SceneText Whole(string name, long value) => Raw(name, value.ToString(CultureInfo.InvariantCulture));
 
     private SceneText Number(string name, double value) => Raw(name, Digits(value));
 

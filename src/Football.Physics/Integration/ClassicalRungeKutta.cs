@@ -18,10 +18,12 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public bool GainsByHops => false;
 
+    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
+        FlightRates.Begin(ref air, in start, out SeamAxes seams);
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
         double uz = motion.Velocity.Z - wind.Z;
@@ -32,7 +34,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         // k1 = f(y)
         FlightRates.At(
-            ref air, in start, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+        Unsafe.SkipInit(out step);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -44,9 +47,11 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3)
         double along = 0.5 * h;
+        double sixth = h / 6.0;
         double vx = ux;
         double vy = uy;
         double vz = uz;
+        double vw = w;
         for (int stage = 0; stage < 3; stage++)
         {
             double px = along * (vx + wind.X);
@@ -55,9 +60,16 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             vx = ux + (along * ax);
             vy = uy + (along * ay);
             vz = uz + (along * az);
-            double vw = w + (along * b);
+            double turn = along * vw;
+            vw = w + (along * b);
+            if (stage == 2)
+            {
+                step.Turn = h * (w + (sixth * sumB));
+                FlightRates.End(ref air, in start, step.Turn, ref step);
+            }
+
             FlightRates.At(
-                ref air, in start, branch, upward, along, px, py, pz, along * s, nx, ny, nz, vx, vy, vz, vw, out ax, out ay, out az, out b, out s);
+                ref air, in start, in seams, branch, upward, along, px, py, pz, along * s, turn, nx, ny, nz, vx, vy, vz, vw, out ax, out ay, out az, out b, out s);
             if (stage == 2)
             {
                 break;
@@ -72,7 +84,6 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         }
 
         // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4). For the position, each k is the velocity of a stage, which gives p + h (v + h/6 (a1 + a2 + a3)).
-        double sixth = h / 6.0;
         double nextX = ux + (sixth * (sumX + sumX - step.StartAcceleration.X + ax));
         double nextY = uy + (sixth * (sumY + sumY - step.StartAcceleration.Y + ay));
         double nextZ = uz + (sixth * (sumZ + sumZ - step.StartAcceleration.Z + az));
@@ -82,8 +93,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.AirVelocity = new Vector3d(nextX, nextY, nextZ);
         step.SpinRate = nextW;
         step.Path = new Vector3d(h * (ux + (sixth * sumX)), h * (uy + (sixth * sumY)), h * (uz + (sixth * sumZ)));
-        step.Turn = h * (w + (sixth * sumB));
-        step.AirDistance = air.HasField ? sixth * (sumS + sumS - startS + s) : 0;
+        step.AirDistance = air.HasSide ? sixth * (sumS + sumS - startS + s) : 0;
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
@@ -103,7 +113,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             from.Position + Sum(h, in from.Velocity, in second.Velocity, in third.Velocity, in fourth.Velocity),
             from.Velocity + Sum(h, in start.Acceleration, in k2.Acceleration, in k3.Acceleration, in k4.Acceleration),
             from.Spin + Sum(h, in start.SpinAcceleration, in k2.SpinAcceleration, in k3.SpinAcceleration, in k4.SpinAcceleration),
-            from.AirDistance + Sum(h, start.AirSpeed, k2.AirSpeed, k3.AirSpeed, k4.AirSpeed));
+            from.AirDistance + Sum(h, start.AirSpeed, k2.AirSpeed, k3.AirSpeed, k4.AirSpeed),
+            from.Turn + Sum(h, in start.Turning, in k2.Turning, in k3.Turning, in k4.Turning));
 
         // The axis may turn within the step: combine the spins at the start, the middle and the end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);

@@ -18,6 +18,7 @@ internal readonly struct ExplicitEuler : IIntegrator
 
     public bool GainsByHops => true;
 
+    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
@@ -28,6 +29,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         EulerStep.Take(ref air, in start, ref motion, in wind, branch, upward, h, out step);
         step.Path = h * velocity;
         step.Turn = h * spinRate;
+        FlightRates.End(ref air, in start, step.Turn, ref step);
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)

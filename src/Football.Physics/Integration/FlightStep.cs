@@ -15,6 +15,9 @@ internal struct FlightStep
     /// <summary>The angle of rotation about the axis, in rad.</summary>
     public double Turn;
 
+    /// <summary>The orientation at the end, if the air needs it and the angle at the start is 0.</summary>
+    public Quaterniond Orientation;
+
     /// <summary>The distance flown through the air, in m, if the air needs it; otherwise 0.</summary>
     public double AirDistance;
 

@@ -97,6 +97,7 @@ internal sealed unsafe class HighOrder
             Vector3d acceleration = w * stages[0].Rates.Acceleration;
             Vector3d spinAcceleration = w * stages[0].Rates.SpinAcceleration;
             double airSpeed = w * stages[0].Rates.AirSpeed;
+            Vector3d turning = w * stages[0].Rates.Turning;
             for (int j = _firstOfRow[i]; j < i; j++)
             {
                 w = h * weights[next++];
@@ -104,9 +105,10 @@ internal sealed unsafe class HighOrder
                 acceleration += w * stages[j].Rates.Acceleration;
                 spinAcceleration += w * stages[j].Rates.SpinAcceleration;
                 airSpeed += w * stages[j].Rates.AirSpeed;
+                turning += w * stages[j].Rates.Turning;
             }
 
-            at = new Motion(from.Position + velocity, from.Velocity + acceleration, from.Spin + spinAcceleration, from.AirDistance + airSpeed);
+            at = new Motion(from.Position + velocity, from.Velocity + acceleration, from.Spin + spinAcceleration, from.AirDistance + airSpeed, from.Turn + turning);
             if (i == count)
             {
                 break;

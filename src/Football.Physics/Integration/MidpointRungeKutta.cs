@@ -18,10 +18,12 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
     public bool GainsByHops => false;
 
+    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
+        FlightRates.Begin(ref air, in start, out SeamAxes seams);
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
         double uz = motion.Velocity.Z - wind.Z;
@@ -34,7 +36,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
         // k1 = f(y)
         FlightRates.At(
-            ref air, in start, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+        Unsafe.SkipInit(out step);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -43,8 +46,10 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
+        step.Turn = h * mw;
+        FlightRates.End(ref air, in start, step.Turn, ref step);
         FlightRates.At(
-            ref air, in start, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, nx, ny, nz, mx, my, mz, mw,
+            ref air, in start, in seams, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, half * w, nx, ny, nz, mx, my, mz, mw,
             out ax, out ay, out az, out b, out s);
 
         // y' = y + h k2
@@ -57,8 +62,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.AirVelocity = new Vector3d(ex, ey, ez);
         step.SpinRate = ew;
         step.Path = new Vector3d(h * mx, h * my, h * mz);
-        step.Turn = h * mw;
-        step.AirDistance = air.HasField ? h * s : 0;
+        step.AirDistance = air.HasSide ? h * s : 0;
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)

@@ -62,5 +62,7 @@ internal struct ConstantAir : IFlightAir
 
     public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
 
-    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
+    public readonly void Begin(in BallState start, out SeamAxes seams) => seams = default;
+
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) => Vector3d.Zero;
 }

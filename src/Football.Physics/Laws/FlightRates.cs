@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Integration;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
@@ -10,6 +11,7 @@ internal static class FlightRates
     /// <summary>Computes the rates at one stage of a step: a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>
     /// <param name="air">The air.</param>
     /// <param name="start">The ball at the start of the step.</param>
+    /// <param name="seams">The seams at the start; used only with a side force.</param>
     /// <param name="branch">The branch of the drag law that the step is locked to.</param>
     /// <param name="upward">The upward acceleration by gravity and buoyancy.</param>
     /// <param name="h">The time since the start of the step.</param>
@@ -17,6 +19,7 @@ internal static class FlightRates
     /// <param name="py">Its y component.</param>
     /// <param name="pz">Its z component.</param>
     /// <param name="distance">The distance through the air since the start.</param>
+    /// <param name="turn">The angle turned since the start.</param>
     /// <param name="nx">The x component of the spin axis.</param>
     /// <param name="ny">Its y component.</param>
     /// <param name="nz">Its z component.</param>
@@ -33,6 +36,7 @@ internal static class FlightRates
     public static void At<TAir>(
         ref TAir air,
         in BallState start,
+        in SeamAxes seams,
         DragBranch branch,
         double upward,
         double h,
@@ -40,6 +44,7 @@ internal static class FlightRates
         double py,
         double pz,
         double distance,
+        double turn,
         double nx,
         double ny,
         double nz,
@@ -83,11 +88,12 @@ internal static class FlightRates
 
         airSpeed = 0;
 
-        // A side force depends on the distance flown through the air, so integrate this distance with the motion.
-        if (air.HasField && air.HasSide)
+        // A side force depends on the distance flown through the air and on the orientation, so integrate both with the motion.
+        if (air.HasSide)
         {
             airSpeed = Math.Sqrt((ux * ux) + (uy * uy) + (uz * uz));
-            Vector3d side = air.Side(new Vector3d(ux, uy, uz), new Vector3d(spin * nx, spin * ny, spin * nz), start.AirDistance + distance);
+            Vector3d side = air.Side(
+                in seams, ux, uy, uz, airSpeed, in start.Flight.Axis, spin * spin * ((cx * cx) + (cy * cy) + (cz * cz)), start.AirDistance + distance, turn);
             ax += side.X;
             ay += side.Y;
             az += side.Z;
@@ -95,6 +101,30 @@ internal static class FlightRates
 
         // A ball without spin does not start to spin in flight.
         spinRate = spin != 0 ? -decay : 0;
+    }
+
+    /// <summary>Turns the seams with the ball, if a side force depends on them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin<TAir>(ref TAir air, in BallState start, out SeamAxes seams)
+        where TAir : struct, IFlightLaws
+    {
+        Unsafe.SkipInit(out seams);
+        if (air.HasSide)
+        {
+            air.Begin(in start, out seams);
+        }
+    }
+
+    /// <summary>Turns the orientation to the end of a step, if a side force depends on it.</summary>
+    /// <remarks>The integrators call it before their last stage, so that the next step does not wait for it.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void End<TAir>(ref TAir air, in BallState start, double turn, ref FlightStep step)
+        where TAir : struct, IFlightLaws
+    {
+        if (air.HasSide)
+        {
+            step.Orientation = start.BaseOrientation.Turned(turn * start.Flight.Axis);
+        }
     }
 
     /// <summary>Computes the rates at a single point.</summary>
@@ -105,13 +135,15 @@ internal static class FlightRates
     /// <param name="spin">The magnitude of the spin.</param>
     /// <param name="acceleration">The acceleration.</param>
     /// <param name="spinRate">The rate of change of the spin.</param>
+    [SkipLocalsInit]
     public static void Of<TAir>(
         ref TAir air, in BallState at, double upward, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
         where TAir : struct, IFlightLaws
     {
         Vector3d n = at.Flight.Axis;
+        Begin(ref air, in at, out SeamAxes seams);
         At(
-            ref air, in at, at.Branch, upward, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate, out _);
+            ref air, in at, in seams, at.Branch, upward, 0, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate, out _);
         acceleration = new Vector3d(ax, ay, az);
     }
 }

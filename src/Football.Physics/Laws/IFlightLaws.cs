@@ -5,11 +5,12 @@ namespace FootballPhysics.Laws;
 /// <summary>The air as the one-step methods use it.</summary>
 internal interface IFlightLaws
 {
-    /// <summary>True if the methods must call <see cref="WindAt"/> and check <see cref="HasSide"/>.</summary>
-    /// <remarks>A constant of the type, except in <see cref="SceneAir"/>: if it is false, the compiler removes these calls.</remarks>
+    /// <summary>True if the methods must call <see cref="WindAt"/>.</summary>
+    /// <remarks>A constant of the type, except in <see cref="SceneAir"/>: if it is false, the compiler removes the call.</remarks>
     bool HasField { get; }
 
-    /// <summary>True if the methods must call <see cref="Side"/>.</summary>
+    /// <summary>True if the methods must call <see cref="Side"/>: they then integrate the distance flown and the angle turned with the motion.</summary>
+    /// <remarks>A constant of the type, except in <see cref="SceneAir"/> and <see cref="FieldAir{TLaw}"/>.</remarks>
     bool HasSide { get; }
 
     /// <summary>True if the methods must add <see cref="Sideways"/>. A constant of the type, except where <see cref="HasField"/> is not.</summary>
@@ -25,12 +26,23 @@ internal interface IFlightLaws
     /// <param name="z">The z coordinate, in m.</param>
     Vector3d WindAt(double time, double x, double y, double z);
 
+    /// <summary>Turns the seams of the ball with it, once for a step.</summary>
+    /// <param name="start">The ball at the start of the step.</param>
+    /// <param name="seams">The axes of the seams.</param>
+    void Begin(in BallState start, out SeamAxes seams);
+
     /// <summary>Returns the acceleration in addition to drag and lift.</summary>
-    /// <param name="u">The velocity relative to the air, in m/s.</param>
-    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="seams">The axes of the seams at the start.</param>
+    /// <param name="ux">The x component of the velocity relative to the air, in m/s.</param>
+    /// <param name="uy">Its y component.</param>
+    /// <param name="uz">Its z component.</param>
+    /// <param name="speed">Its size.</param>
+    /// <param name="axis">The axis of the spin.</param>
+    /// <param name="crossSquared">|ω × u|², in m²/s⁴.</param>
     /// <param name="distance">The distance flown through the air, in m.</param>
+    /// <param name="turn">The angle turned about the axis since the start, in rad.</param>
     /// <returns>The acceleration, in m/s².</returns>
-    Vector3d Side(in Vector3d u, in Vector3d spin, double distance);
+    Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn);
 
     /// <summary>Computes the factors at one instant: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
     /// <param name="speedSquared">|u|², m²/s².</param>

@@ -43,6 +43,9 @@ internal unsafe struct SceneAir : IFlightAir
     /// <summary>The laws alone.</summary>
     public readonly AirLaws Laws => _laws;
 
+    /// <summary>The knuckle force; null if none acts.</summary>
+    public readonly KnuckleForce? Knuckle => _knuckle;
+
     /// <summary>True if drag acts.</summary>
     public readonly bool Drags => _laws.Drags;
 
@@ -116,7 +119,19 @@ internal unsafe struct SceneAir : IFlightAir
     public readonly Vector3d WindAt(double time, double x, double y, double z) =>
         _byHeight is not null ? _byHeight.At(time, x, y, z) : _wind is null ? Vector3d.Zero : _wind.At(time, new Vector3d(x, y, z));
 
-    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
+    public readonly void Begin(in BallState start, out SeamAxes seams) => _knuckle!.Begin(in start, out seams);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) =>
+        _knuckle!.Acceleration(in seams, ux, uy, uz, speed, in axis, crossSquared, distance, turn);
+
+    /// <summary>Returns the acceleration by the knuckle force, in m/s².</summary>
+    /// <param name="u">The velocity relative to the air, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="distance">The distance flown through the air, in m.</param>
+    /// <param name="orientation">The orientation.</param>
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance, in Quaterniond orientation) =>
+        _knuckle!.Acceleration(in u, in spin, distance, in orientation);
 
     /// <summary>Throws if custom forces or a wind field led to a state that is not finite.</summary>
     /// <exception cref="InvalidOperationException">The state of the ball is not finite.</exception>
@@ -146,11 +161,11 @@ internal unsafe struct SceneAir : IFlightAir
         DragBranch here = DragJump.Choose(_jumpsInField, locates: false, branch, u.LengthSquared, _radiusSquared * w.LengthSquared);
         double rate = OfLaws(in u, in w, here, out factors);
 
-        // The knuckle force acts only in flight, and depends on the distance flown.
+        // The knuckle force acts only in flight, and depends on the distance flown and the orientation.
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
             factors.AirSpeed = u.Length;
-            factors.Acceleration = Side(in u, in w, ball.AirDistance);
+            factors.Acceleration = Side(in u, in w, ball.AirDistance, ball.Orientation);
         }
 
         _own?.AddTo(in ball, ref factors, trace);

@@ -51,6 +51,24 @@ internal static class QuadSine
         cos = one - (two * (half * half));
     }
 
+    /// <summary>Computes sines alone, in half the operations.</summary>
+    /// <remarks>The absolute error is below 4e-16 for angles below one turn; larger angles add their own rounding error.</remarks>
+    /// <param name="turns">The angles divided by 2π; below 1e15 in magnitude.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad Sin(Quad turns)
+    {
+        // sin 2πx = cos 2π(x − ¼) = sin 2πw with w = ¼ − |x − ¼ − n|, n the nearest integer: |w| ≤ ¼.
+        Quad shifted = turns - Quad.Of(0.25);
+        Quad whole = (shifted + Quad.Of(Rounder)) - Quad.Of(Rounder);
+        Quad w = Quad.Of(0.25) - (shifted - whole).Abs;
+
+        // A polynomial through Chebyshev points of w², with a remainder below 2e-16.
+        Quad z = w * w;
+        Quad zz = z * z;
+        return w * (Quartet(6.283185307179585, -41.341702240398284, 81.60524927557977, -76.70585968962867, z, zz)
+            + (zz * zz * Quartet(42.05868995395094, -15.09450614073429, 3.817365633469135, -0.6925067010720717, z, zz)));
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Quad Pair(double a, double b, Quad z) => Quad.Of(a) + (Quad.Of(b) * z);
 

@@ -272,6 +272,15 @@ internal static class RotationVector
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d OfMean(in Vector3d mean, in Vector3d start, in Vector3d end, double h) => (h * mean) + (h * h * (1.0 / 12.0) * Vector3d.Cross(in end, in start));
 
+    /// <summary>Returns the rate of a rotation vector: φ̇ = ω − φ × ω/2 + φ × (φ × ω)/12, with an error of order φ⁴.</summary>
+    /// <param name="turn">φ, the rotation vector, in rad.</param>
+    /// <param name="spin">ω, in rad/s.</param>
+    public static Vector3d Rate(in Vector3d turn, in Vector3d spin)
+    {
+        Vector3d c = Vector3d.Cross(in turn, in spin);
+        return spin - (0.5 * c) + ((1.0 / 12.0) * Vector3d.Cross(in turn, in c));
+    }
+
     /// <summary>Composes two small rotations: the Baker–Campbell–Hausdorff series to the third order.</summary>
     /// <param name="first">The first rotation, in rad.</param>
     /// <param name="second">The second rotation, in rad.</param>

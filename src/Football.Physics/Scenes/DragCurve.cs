@@ -70,6 +70,25 @@ public sealed record DragCurve
     /// </remarks>
     internal static DragCurve Modern { get; } = OfRoughness(0.86);
 
+    /// <summary>Telstar 18 (derived): its crisis is at 2.7/2.3 of Brazuca's (Asai and Hong 2021), and its range 8 … 10 % below (Goff, Hong and Asai 2018, press).</summary>
+    internal static DragCurve Telstar18 { get; } =
+        Brazuca with { CriticalReynolds = 220_000, Width = 17_000, Supercritical = 0.202, Risen = 0.258, RiseFrom = 250_000 };
+
+    /// <summary>Flight 2020 (guess). Measured is only: an earlier crisis and slightly more drag than a ball of 32 panels (Asai and Hong 2021).</summary>
+    internal static DragCurve Flight2020 { get; } =
+        OfRoughness(0) with { CriticalReynolds = 170_000, Width = 15_000, Supercritical = 0.165, Risen = 0.200, RiseFrom = 211_000 };
+
+    /// <summary>Fussballliebe (guess). Measured is only: the shortest flight of ten balls, and an earlier crisis (KJSS 35(2):392, 2024).</summary>
+    internal static DragCurve Fussballliebe { get; } =
+        OfRoughness(0) with { CriticalReynolds = 160_000, Width = 14_500, Supercritical = 0.215, Risen = 0.270, RiseFrom = 198_000 };
+
+    /// <summary>Trionda: the crisis is measured; the drag above it is a guess (more drag at speed, a few metres short: press).</summary>
+    internal static DragCurve Trionda { get; } = OfRoughness(0.35) with { Supercritical = 0.175, Risen = 0.222 };
+
+    /// <summary>A smooth sphere (derived from Achenbach 1972): a late crisis, and little drag above it.</summary>
+    internal static DragCurve SmoothSphere { get; } =
+        Generic with { CriticalReynolds = 340_000, Width = 22_000, Supercritical = 0.10, Risen = 0.20, RiseFrom = 420_000 };
+
     /// <summary>The Reynolds number of the crisis of the smoothest match ball.</summary>
     private const double SmoothCrisis = 272_000;
 
@@ -101,8 +120,9 @@ public sealed record DragCurve
 
     /// <summary>Returns the curve of a ball with a given roughness.</summary>
     /// <remarks>
-    /// The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
-    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
+    /// The rougher the ball and the more turbulent the air, the earlier the crisis: ρ moves the crisis.
+    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²), at least 10 000; b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
+    /// <para>b₀ is a guess (slope 0.02 ± 0.03), because drag above the crisis does not follow roughness (Ward et al. 2023).</para>
     /// <para>The wind-tunnel balls have a derived roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist). Above that, up to
     /// <see cref="Modern"/>, the curve is fitted to the flights of one match.
     /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). Deeper seams, texture and wear also make it rougher

@@ -31,8 +31,11 @@ public sealed record ForceSet
     /// <remarks>0 … 1, and at most the moment of inertia times 1e5/s.</remarks>
     public double SpinDecayCoefficient { get; init; }
 
-    /// <summary>The seed of the knuckle force, which makes a ball with little spin wobble. Default null: no knuckle force.</summary>
-    /// <remarks>Each seed gives a different wobble. The force acts only in flight, under any law, and restarts with each kick.</remarks>
+    /// <summary>The seed of a kick for the knuckle force, a side force on a ball with little spin. Default null: no knuckle force.</summary>
+    /// <remarks>
+    /// The force acts only in flight, under any law. Its larger part belongs to the ball (<see cref="BallProperties.SeamSeed"/>) and depends on the orientation. Its
+    /// smaller part, the wake, depends on this seed, and restarts with each kick. A ball that is launched without an orientation gets a random one from this seed.
+    /// </remarks>
     public long? KnuckleSeed { get; init; }
 
     /// <summary>The custom forces, added in this order. Default: none.</summary>

@@ -177,6 +177,7 @@ internal sealed class FlightPhase<TIntegrator>
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
+        system.Orientation = _around.Air.HasSide ? s.Orientation : default;
         if (_own is not null)
         {
             trace->Begin(_around.Radius);

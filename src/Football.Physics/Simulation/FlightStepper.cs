@@ -107,6 +107,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return Fall(ref s, dt, end, log);
         }
 
+        if (_air.HasSide && s.Angle != 0)
+        {
+            s.FoldRotation();
+        }
+
         Fly(covered, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
         log.Evaluations += _integrator.Stages;
 
@@ -124,8 +129,16 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         Vector3d position = s.Position;
         double time = s.Time;
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
-        s.Angle += step.Turn;
-        s.AirDistance += hasField ? step.AirDistance : 0;
+        if (_air.HasSide)
+        {
+            s.BaseOrientation = step.Orientation;
+            s.AirDistance += step.AirDistance;
+        }
+        else
+        {
+            s.Angle += step.Turn;
+        }
+
         s.Time = end;
         log.Steps++;
         if (log.IsWatched)

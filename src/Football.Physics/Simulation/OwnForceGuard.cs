@@ -129,7 +129,7 @@ internal sealed unsafe class OwnForceGuard
         // A method of low order need not be accurate, but must not be worse than with the air. Its stages do not show that, so evaluate the end. The position of the end lags behind
         // its velocity by a step.
         ref readonly Motion end = ref sweep.Taken.End;
-        sweep.Evaluate(new Motion(sweep.From.Position + (h * end.Velocity), end.Velocity, end.Spin, end.AirDistance));
+        sweep.Evaluate(new Motion(sweep.From.Position + (h * end.Velocity), end.Velocity, end.Spin, end.AirDistance, in end.Turn));
         return !trace->IsWild && trace->Stiffness(h, sweep.From, isLower: false) <= LargestOfLowOrder;
     }
 

@@ -73,6 +73,7 @@ internal static class SceneHash
     private static void AddBall(ref SceneKey key, Scene scene)
     {
         Add(ref key, SceneFields.Ball, scene.Ball);
+        key.Add(scene.Ball.SeamSeed);
         key.Add(Weight.Of(scene));
         if (scene.Ball.Ignores != 0)
         {
@@ -111,7 +112,15 @@ internal static class SceneHash
         }
 
         // Hash −0.5 for "no seed", because every seed is an integer.
-        key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
+        if (scene.Forces.KnuckleSeed is { } seed)
+        {
+            key.Add(seed);
+        }
+        else
+        {
+            key.Add(-0.5);
+        }
+
         foreach (IForce force in scene.Forces.CustomForces)
         {
             // A custom force may have state, so do not call it; hash its type name.
@@ -198,6 +207,13 @@ internal struct SceneKey
         h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
         h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
         _hash = (h ^ (h >> 33)) + 0x9FB21C651E98DF25UL;
+    }
+
+    /// <summary>Adds an integer; a double holds only 53 of its bits.</summary>
+    public void Add(long value)
+    {
+        Add((double)(int)(value >> 32));
+        Add((double)(uint)value);
     }
 
     /// <summary>Adds a vector.</summary>

@@ -44,6 +44,7 @@ public sealed class Simulator
 
         Settings.Validate();
         _stepper = StepperFactory.Create(Scene, Settings);
+        LaunchOrientation = Laws.KnuckleForce.Orientation(Scene);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _mayWake = _stepper.MayWake;
@@ -68,10 +69,13 @@ public sealed class Simulator
     /// <summary>The height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
-    /// <summary>Launches a ball that has the identity orientation.</summary>
+    /// <summary>The orientation of a ball that is launched without one: the identity, or random by <see cref="ForceSet.KnuckleSeed"/> if it is set.</summary>
+    public Quaterniond LaunchOrientation { get; }
+
+    /// <summary>Launches a ball that has the <see cref="LaunchOrientation"/>.</summary>
     /// <inheritdoc cref="Launch(Vector3d, Vector3d, Vector3d, Quaterniond)"/>
     public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin) =>
-        Launch(position, velocity, spin, Quaterniond.Identity);
+        Launch(position, velocity, spin, LaunchOrientation);
 
     /// <summary>Launches a ball at time 0.</summary>
     /// <remarks>
@@ -97,7 +101,7 @@ public sealed class Simulator
 
     /// <summary>Launches a ball at a given time. The values are already validated.</summary>
     internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
-        Start(in position, in velocity, in spin, Quaterniond.Identity, time);
+        Start(in position, in velocity, in spin, LaunchOrientation, time);
 
     /// <summary>Launches a ball. The values are already validated.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)

@@ -44,7 +44,9 @@ internal static class StepperFactory
 
         if (scene.HasOwnForces || air.Varies || scene.IsTilted)
         {
-            return isMeasured && !scene.HasOwnForces ? InField<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<SceneAir, TIntegrator>(scene, settings, in air, in air);
+            return !isMeasured || scene.HasOwnForces ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
+                : air.Knuckle is { } knuckle && scene.Air.WindField is null && !scene.IsTilted ? WithSeams<MeasuredLaw, TIntegrator>(scene, settings, in air, knuckle)
+                : InField<MeasuredLaw, TIntegrator>(scene, settings, in air);
         }
 
         return isMeasured ? OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air)
@@ -60,6 +62,10 @@ internal static class StepperFactory
     private static Stepper InField<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air)
         where TLaw : struct, ITableLaw
         where TIntegrator : struct, IIntegrator => Of<FieldAir<TLaw>, TIntegrator>(scene, settings, in air, new FieldAir<TLaw>(scene, in air));
+
+    private static Stepper WithSeams<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air, KnuckleForce knuckle)
+        where TLaw : struct, ITableLaw
+        where TIntegrator : struct, IIntegrator => Of<SeamAir<TLaw>, TIntegrator>(scene, settings, in air, new SeamAir<TLaw>(scene, knuckle));
 
     private static Stepper Of<TAir, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air, in TAir laws)
         where TAir : struct, IFlightAir

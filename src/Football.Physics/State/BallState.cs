@@ -204,7 +204,7 @@ public struct BallState : IFormattable
     }
 }
 
-/// <summary>The position, velocity, spin and air distance that a general step integrates.</summary>
+/// <summary>The position, velocity, spin, air distance and turn that a general step integrates.</summary>
 internal readonly struct Motion
 {
     public readonly Vector3d Position;
@@ -214,22 +214,26 @@ internal readonly struct Motion
     /// <summary>The distance through the air, in m, if the scene's air needs it.</summary>
     public readonly double AirDistance;
 
+    /// <summary>The rotation vector since the start of the step, in rad, if the scene's air needs the orientation.</summary>
+    public readonly Vector3d Turn;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Motion(in Vector3d position, in Vector3d velocity, in Vector3d spin, double airDistance = 0)
+    public Motion(in Vector3d position, in Vector3d velocity, in Vector3d spin, double airDistance = 0, in Vector3d turn = default)
     {
         Position = position;
         Velocity = velocity;
         Spin = spin;
         AirDistance = airDistance;
+        Turn = turn;
     }
 
     /// <summary>Returns the motion after a time h at constant rates: a stage of an integrator.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Motion After(double h, in Vector3d velocity, in MotionRates rates) =>
-        new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration), AirDistance + (h * rates.AirSpeed));
+        new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration), AirDistance + (h * rates.AirSpeed), Turn + (h * rates.Turning));
 }
 
-/// <summary>The rates of change of velocity, spin and air distance.</summary>
+/// <summary>The rates of change of velocity, spin, air distance and turn.</summary>
 internal readonly struct MotionRates
 {
     public readonly Vector3d Acceleration;
@@ -238,11 +242,19 @@ internal readonly struct MotionRates
     /// <summary>The speed relative to the air, in m/s, if the scene's air needs it.</summary>
     public readonly double AirSpeed;
 
+    /// <summary>The rate of the turn, in rad/s, if the scene's air needs the orientation.</summary>
+    public readonly Vector3d Turning;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public MotionRates(in Vector3d acceleration, in Vector3d spinAcceleration, double airSpeed = 0)
+    public MotionRates(in Vector3d acceleration, in Vector3d spinAcceleration, double airSpeed = 0, in Vector3d turning = default)
     {
         Acceleration = acceleration;
         SpinAcceleration = spinAcceleration;
         AirSpeed = airSpeed;
+        Turning = turning;
     }
+
+    /// <summary>Returns these rates with that of the turn.</summary>
+    /// <param name="at">The motion.</param>
+    public MotionRates Turned(in Motion at) => new(in Acceleration, in SpinAcceleration, AirSpeed, RotationVector.Rate(in at.Turn, in at.Spin));
 }

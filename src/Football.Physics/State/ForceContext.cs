@@ -10,7 +10,8 @@ public readonly struct ForceContext
         in Vector3d airVelocity,
         in Vector3d spin,
         MotionState motion,
-        double airDistance = 0)
+        double airDistance = 0,
+        in Quaterniond orientation = default)
     {
         Time = time;
         Position = position;
@@ -19,6 +20,7 @@ public readonly struct ForceContext
         Spin = spin;
         Motion = motion;
         AirDistance = airDistance;
+        Orientation = orientation;
     }
 
     /// <summary>The time since the launch, in s.</summary>
@@ -42,6 +44,9 @@ public readonly struct ForceContext
     /// <summary>The distance through the air since the kick, in m; 0 if no knuckle force acts.</summary>
     internal double AirDistance { get; }
 
+    /// <summary>The orientation; set only if a knuckle force acts.</summary>
+    internal Quaterniond Orientation { get; }
+
     /// <summary>Returns a copy with another velocity relative to the air.</summary>
-    internal ForceContext In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
+    internal ForceContext In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance, Orientation);
 }

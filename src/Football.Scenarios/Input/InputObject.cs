@@ -106,6 +106,11 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
 
+    /// <summary>Returns a whole number of 64 bits.</summary>
+    public long Seed(string name, long fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
+        : Refuse(name, $"a whole number, {long.MinValue} … {long.MaxValue}", fallback);
+
     /// <summary>Returns a list of layers, 0 … 31; empty if it is missing.</summary>
     public int[] Layers(string name)
     {

@@ -27,7 +27,7 @@ internal static class InterceptRun
     public static Trajectory Path(Scenario shot)
     {
         var simulator = new Simulator(shot.Scene, shot.Settings);
-        BallState state = simulator.Launch(shot.Position, shot.Velocity, shot.Spin, shot.Orientation);
+        BallState state = simulator.Launch(shot.Position, shot.Velocity, shot.Spin, shot.Orientation ?? simulator.LaunchOrientation);
         var request = new LookAheadRequest { Duration = shot.Duration, TimeStep = shot.TimeStep, StopAt = shot.StopAt };
         for (int pieces = Pieces; pieces <= MostPieces; pieces *= 4)
         {

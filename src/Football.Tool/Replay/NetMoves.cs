@@ -27,7 +27,7 @@ internal static class NetMoves
             yield break;
         }
 
-        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation ?? simulator.LaunchOrientation);
         var log = new StepLog();
         var moving = new bool[bulges.Count];
         while (state.Time < scenario.Duration && state.Motion != MotionState.Rest)

@@ -114,7 +114,7 @@ internal sealed record SweepScene
             HasVectors = hasVectors,
             Cameras = CameraView.Take(root),
             Chance = root.Has("chance") ? GoalChanceInput.Request(root.Object("chance"), scene.Goals, position, velocity, spin) with { AlwaysSimulate = true } : null,
-            Orientation = launch.Has("orientation") ? Scenario.OrientationOf(launch) : null,
+            Orientation = Scenario.OrientationOf(launch),
         };
     }
 

@@ -101,6 +101,17 @@ public sealed class ConvergenceTests
             Flight.Play(scene, Flight.With(integrator), step, 0.64, StopAt.Time, new Vector3d(0, 3, 0), velocity, new Vector3d(0, 2, 1), out _).Position;
     }
 
+    /// <summary>The orientation is known within a step, so that the force of the seams keeps the order while the ball turns.</summary>
+    [Theory]
+    [InlineData(Integrator.Rk2, 0.04, 1.8, 2.3)]
+    [InlineData(Integrator.Rk4, 0.04, 3.7, 4.6)]
+    public void Flights_of_a_knuckle_ball_that_turns_keep_the_order(Integrator integrator, double coarsest, double low, double high)
+    {
+        var random = new Shots(80);
+        Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(i => OrderOf(
+            Scene.Measured with { Forces = ForceSet.Measured with { KnuckleSeed = i } }, integrator, coarsest, random.Velocity(20, 30, 15, 25), random.Uniform(3, 20) * random.Direction()))], low, high);
+    }
+
     [Theory]
     [InlineData(Integrator.Euler, 0.02, 0.85, 1.2)]
     [InlineData(Integrator.SemiImplicitEuler, 0.02, 0.85, 1.2)]

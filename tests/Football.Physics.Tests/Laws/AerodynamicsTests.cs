@@ -24,7 +24,7 @@ public sealed class AerodynamicsTests
             var spin = new Vector3d(random.Next(-60, 60), random.Next(-60, 60), random.Next(-60, 60));
             spin = i % 10 == 0 ? Vector3d.Zero : i % 10 == 1 ? 0.03 * spin : spin;
             BallState ball = simulator.Launch(position, velocity, spin);
-            ForceAndTorque load = air.Evaluate(position, velocity, spin);
+            ForceAndTorque load = air.Evaluate(position, velocity, spin, orientation: ball.Orientation);
 
             // One step of the explicit Euler method is the law itself, times the step.
             simulator.Step(ref ball, Step, new StepLog());
@@ -75,6 +75,7 @@ public sealed class AerodynamicsTests
         var velocities = new Vector3d[Count];
         var spins = new Vector3d[Count];
         var flown = new double[Count];
+        var orientations = new Quaterniond[Count];
         var loads = new ForceAndTorque[Count];
         var random = new SplitMix(3);
         for (int i = 0; i < Count; i++)
@@ -82,15 +83,16 @@ public sealed class AerodynamicsTests
             velocities[i] = new Vector3d(random.Next(-25, 25), random.Next(-15, 15), random.Next(-25, 25));
             spins[i] = i % 2 == 0 ? Vector3d.Zero : new Vector3d(0, random.Next(-60, 60), 0);
             flown[i] = random.Next(0, 50);
+            orientations[i] = new Quaterniond(random.Next(-1, 1), random.Next(-1, 1), random.Next(-1, 1), 2);
         }
 
-        Assert.Equal(0, Allocation.Of(() => air.Evaluate(positions, velocities, spins, 2, loads, flown)));
+        Assert.Equal(0, Allocation.Of(() => air.Evaluate(positions, velocities, spins, 2, loads, flown, orientations)));
         for (int i = 0; i < Count; i++)
         {
-            Assert.Equal(air.Evaluate(positions[i], velocities[i], spins[i], 2, flown[i]), loads[i]);
+            Assert.Equal(air.Evaluate(positions[i], velocities[i], spins[i], 2, flown[i], orientations[i]), loads[i]);
         }
 
-        // Without distances all are 0, and several threads get the same.
+        // Without distances all are 0, without orientations the identity, and several threads get the same.
         Parallel.For(0, 8, _ =>
         {
             var mine = new ForceAndTorque[Count];

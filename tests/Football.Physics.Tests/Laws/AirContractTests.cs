@@ -45,7 +45,7 @@ public sealed class AirContractTests
         {
             Assert.False(air.HasField || air.HasSide);
             Assert.Equal(Vector3d.Zero, air.WindAt(1, 2, 3, 4));
-            Assert.Equal(Vector3d.Zero, air.Side(new Vector3d(20, 1, 0), new Vector3d(0, 30, 0), 5));
+            Assert.Equal(Vector3d.Zero, air.Side(default, 20, 1, 0, Math.Sqrt(401), Vector3d.Up, 360_000, 5, 0.1));
         }
     }
 

@@ -51,8 +51,8 @@ public sealed class MeasuredLawTests
     {
         (BallProperties Ball, DragCurve Curve, double Force)[] balls =
         [
-            (BallProperties.Tunnel, DragCurve.Generic, 1.5), (BallProperties.Tango12, DragCurve.Tango12, 1.6), (BallProperties.Teamgeist, DragCurve.Teamgeist, 0.75),
-            (BallProperties.Jabulani, DragCurve.Jabulani, 2.1), (BallProperties.Brazuca, DragCurve.Brazuca, 1.5),
+            (BallProperties.Tunnel, DragCurve.Generic, 1.2), (BallProperties.Tango12, DragCurve.Tango12, 1.3), (BallProperties.Teamgeist, DragCurve.Teamgeist, 0.6),
+            (BallProperties.Jabulani, DragCurve.Jabulani, 1.65), (BallProperties.Brazuca, DragCurve.Brazuca, 1.2),
         ];
         Assert.All(balls, item => Assert.Equal((0.43, 0.11, item.Curve, item.Force), (item.Ball.Mass, item.Ball.Radius, item.Ball.DragCurve, item.Ball.KnuckleForce)));
     }

@@ -75,25 +75,28 @@ public sealed class FifthMethodTests
         public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
             where TAir : struct, IFlightLaws
         {
+            FlightRates.Begin(ref air, in start, out SeamAxes seams);
             Vector3d u = motion.Velocity - wind;
             Vector3d n = motion.Axis;
             double w = motion.SpinRate;
             FlightRates.At(
-                ref air, in start, branch, upward, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, w, out double ax, out double ay, out double az, out double b, out double s);
+                ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, w, out double ax, out double ay, out double az, out double b, out double s);
             var first = new Vector3d(ax, ay, az);
             Vector3d next = u + (h * first);
             Vector3d way = h * (u + wind);
             double nextW = w + (h * b);
             FlightRates.At(
-                ref air, in start, branch, upward, h, way.X, way.Y, way.Z, h * s, n.X, n.Y, n.Z, next.X, next.Y, next.Z, nextW,
+                ref air, in start, in seams, branch, upward, h, way.X, way.Y, way.Z, h * s, h * w, n.X, n.Y, n.Z, next.X, next.Y, next.Z, nextW,
                 out ax, out ay, out az, out double c, out double t);
+            System.Runtime.CompilerServices.Unsafe.SkipInit(out step);
             step.StartAcceleration = first;
             step.StartSpinAcceleration = b;
-            step.AirDistance = air.HasField ? 0.5 * h * (s + t) : 0;
+            step.AirDistance = air.HasSide ? 0.5 * h * (s + t) : 0;
             step.AirVelocity = u + (0.5 * h * (first + new Vector3d(ax, ay, az)));
             step.SpinRate = w + (0.5 * h * (b + c));
             step.Path = 0.5 * h * (u + next);
             step.Turn = 0.5 * h * (w + nextW);
+            FlightRates.End(ref air, in start, step.Turn, ref step);
             motion.Velocity = step.AirVelocity + wind;
             motion.SpinRate = step.SpinRate;
         }

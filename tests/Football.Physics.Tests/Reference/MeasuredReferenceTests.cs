@@ -23,15 +23,7 @@ public sealed class MeasuredReferenceTests
     [InlineData(0.01, 3.3e-9, 4e-9)]
     [InlineData(0.04, 8.5e-7, 1e-6)]
     public void The_ball_comes_down_where_and_when_the_reference_says(double timeStep, double p95, double worst) =>
-        Compare(s_flights.Where(line => !Knuckles(line)), 30, timeStep, p95, worst);
-
-    /// <summary>Its force is rougher, but of fourth order too: knuckle-022 is twice as far off as any other.</summary>
-    [Theory]
-    [InlineData(0.0025, 2.5e-9, 2.5e-9)]
-    [InlineData(0.01, 6e-7, 6e-7)]
-    [InlineData(0.04, 1.5e-4, 1.5e-4)]
-    public void A_knuckle_ball_does_so_too(double timeStep, double p95, double worst) =>
-        Compare(s_flights.Where(Knuckles), 8, timeStep, p95, worst);
+        Compare(s_flights, 30, timeStep, p95, worst);
 
     private static void Compare(IEnumerable<JsonElement> flights, int least, double timeStep, double p95, double worst)
     {
@@ -66,8 +58,6 @@ public sealed class MeasuredReferenceTests
         return events.GetArrayLength() > 0 && events[0].GetProperty("kind").GetString() == "impact";
     }
 
-    private static bool Knuckles(JsonElement line) => line.GetProperty("scenario").TryGetProperty("forces", out _);
-
     private static string BallOf(JsonElement line) => line.GetProperty("scenario").GetProperty("ball").GetProperty("type").GetString()!;
 
     private static Scene SceneOf(JsonElement scenario)
@@ -76,10 +66,6 @@ public sealed class MeasuredReferenceTests
         string ball = CultureInfo.InvariantCulture.TextInfo.ToTitleCase(scenario.GetProperty("ball").GetProperty("type").GetString()!);
         return Scene.Measured with
         {
-            Forces = ForceSet.Measured with
-            {
-                KnuckleSeed = scenario.TryGetProperty("forces", out JsonElement forces) ? forces.GetProperty("knuckleSeed").GetInt64() : null,
-            },
             Ball = ball == "Generic" ? BallProperties.Tunnel : (BallProperties)typeof(BallProperties).GetProperty(ball)!.GetValue(null)!,
             Air = new Air
             {

@@ -93,7 +93,7 @@ public sealed class PressedReferenceTests
     }
 
     private static BallState Launch(Simulator simulator, Scenario scenario) =>
-        simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation ?? simulator.LaunchOrientation);
 
     private static double Place(JsonElement expected) => Math.Max(1e-6, 1e4 * ReferenceCase.Number(expected, "sensitivity"));
 

@@ -7,6 +7,7 @@ namespace FootballPhysics.Tests.Scenes;
 internal static class PresetTable
 {
     private const string Rigs = "FIFA's rigs";
+    private const string Ratio = "the default × a ratio of Hong and Asai 2014";
     private const string Tunnel = "Kiratidis and Leinweber, arXiv:1710.02784";
 
     /// <summary>The table in Markdown.</summary>
@@ -30,11 +31,11 @@ internal static class PresetTable
         yield return ("ball", "mass, kg", ball.Mass, "law", "IFAB, Law 2: 0.41 … 0.45");
         yield return ("ball", "radius, m", ball.Radius, "law", "IFAB, Law 2: 68 … 70 cm around");
         yield return ("ball", "α", ball.InertiaFactor, "derived", "a thin shell; layered balls ±0.03, guess");
-        yield return ("ball", "K, N", ball.KnuckleForce, "guess", "1.0 … 2.2");
-        yield return ("Tango 12", "K, N", BallProperties.Tango12.KnuckleForce, "guess", "of Cafusa, 1.0 … 2.2 measured");
-        yield return ("Teamgeist", "K, N", BallProperties.Teamgeist.KnuckleForce, "measured", "Hong and Asai 2014: 0.6 … 0.9");
-        yield return ("Jabulani", "K, N", BallProperties.Jabulani.KnuckleForce, "measured", "Hong and Asai 2014: 1.1 … 3.1");
-        yield return ("Brazuca", "K, N", BallProperties.Brazuca.KnuckleForce, "guess", "as the others");
+        yield return ("ball", "K, N", ball.KnuckleForce, "measured", "German Sport University Cologne: five types kicked by a robot at 29 m/s over 22 m; types 0.9 … 2.2");
+        yield return ("Tango 12", "K, N", BallProperties.Tango12.KnuckleForce, "derived", Ratio);
+        yield return ("Teamgeist", "K, N", BallProperties.Teamgeist.KnuckleForce, "derived", Ratio);
+        yield return ("Jabulani", "K, N", BallProperties.Jabulani.KnuckleForce, "derived", Ratio);
+        yield return ("beach ball", "Λ", BallProperties.BeachBall.ReverseLift, "guess", "0 … 0.4; 0 for match balls, whose measured lift is positive");
     }
 
     private static IEnumerable<(string, string, double, string, string)> Curves()
@@ -44,11 +45,12 @@ internal static class PresetTable
             ("ball", DragCurve.Generic, "derived", "mean of Tango 12, Teamgeist and Brazuca, rounded"), ("Tango 12", DragCurve.Tango12, "measured", Tunnel),
             ("Teamgeist", DragCurve.Teamgeist, "measured", Tunnel), ("Jabulani", DragCurve.Jabulani, "measured", Tunnel), ("Brazuca", DragCurve.Brazuca, "measured", Tunnel),
             ("modern", DragCurve.Modern, "measured", "roughness 0.86: the flights of one minute of one match at 2 600 m, 2024; crisis 85 000 … 110 000"),
-            ("Telstar 18", BallProperties.Telstar18.DragCurve, "derived", "Brazuca's, long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported)"),
-            ("Flight 2020", BallProperties.Flight2020.DragCurve, "guess", "roughness 0.25 … 0.5"),
+            ("Telstar 18", BallProperties.Telstar18.DragCurve, "derived", "critical Re 2.7 against 2.3e5 of Brazuca (Asai and Hong 2021); range 8 … 10 % below Brazuca (Goff, Hong and Asai 2018, press)"),
+            ("Flight 2020", BallProperties.Flight2020.DragCurve, "guess", "measured is only: earlier crisis and slightly more drag than a 32-panel ball (Asai and Hong 2021)"),
             ("Al Rihla", BallProperties.AlRihla.DragCurve, "derived", "roughness 0.31: crisis later than Trionda's, near Brazuca's, as reported"),
-            ("Fussballliebe", BallProperties.Fussballliebe.DragCurve, "guess", "roughness 0.25 … 0.45"),
-            ("Trionda", BallProperties.Trionda.DragCurve, "derived", "roughness 0.35: crisis at 12.1 m/s, measured (University of Tsukuba, as reported); more drag at speed, guess"),
+            ("Fussballliebe", BallProperties.Fussballliebe.DragCurve, "guess", "measured is only: shortest of ten balls, earlier crisis (KJSS 35(2):392, 2024)"),
+            ("Trionda", BallProperties.Trionda.DragCurve, "guess", "crisis measured (12.1 m/s, University of Tsukuba, as reported); b₀ and b₁ guess: more drag at speed, a few metres short (press)"),
+            ("beach ball", BallProperties.BeachBall.DragCurve, "derived", "a smooth sphere (Achenbach 1972)"),
         ];
         foreach ((string name, DragCurve curve, string tag, string source) in curves)
         {
@@ -73,9 +75,11 @@ internal static class PresetTable
         yield return ("spin decay", "β", ProportionalSpinDecay.Beta, "guess", "measured on golf balls, Smits and Smith 1994; 0.003 … 0.012");
         yield return ("spin decay", "ε, 1/s", ProportionalSpinDecay.AtRest, "guess", "0.003 … 0.006");
         yield return ("knuckle force", "Strouhal number", KnuckleForce.Strouhal, "measured", "Hong and Asai 2014: peak at 2.5 Hz at 30 m/s");
-        yield return ("knuckle force", "power of the speed", KnuckleForce.Growth, "measured", "Hong and Asai 2014: 320 % from 20 to 30 m/s");
-        yield return ("knuckle force", "S of all of it", KnuckleForce.LeastSpin, "guess", "");
-        yield return ("knuckle force", "S of none of it", KnuckleForce.LeastSpin + KnuckleForce.SpinWidth, "guess", "");
+        yield return ("knuckle force", "power of the wake", KnuckleForce.Growth, "measured", "Hong and Asai 2014: 320 % from 20 to 30 m/s, 2.9 − 2");
+        yield return ("knuckle force", "c_W", KnuckleForce.Wake, "guess", "0 … 0.7");
+        yield return ("knuckle force", "w", SeamField.FineShare, "guess", "0 … 1");
+        yield return ("knuckle force", "g₀", KnuckleForce.Subcritical, "guess", "0 … 1");
+        yield return ("knuckle force", "S_K", KnuckleForce.SpinScale, "guess", "0.05 … ∞; matters only if the axis is tilted towards the motion");
         var foot = new Foot();
         yield return ("foot", "mass, kg", foot.Mass, "guess", "1.5 … 3");
         yield return ("foot", "e", foot.Restitution, "guess", "0.5 … 0.6");

@@ -1,44 +1,58 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>The side force on a ball with little spin: a smooth, pure function of seed, distance flown, air velocity and spin.</summary>
+/// <summary>The side force on a ball that hardly turns: a smooth, pure function of both seeds, orientation, distance flown, air velocity and spin.</summary>
 /// <remarks>
-/// F_K = κ(|u|, S) (f₁ ê₁ + f₂ ê₂), ê₁ = û × ŷ normalized (ẑ if vertical), ê₂ = ê₁ × û.
-/// <para>Fitted to Hong and Asai 2014: peak at 2.5 Hz and standard deviation K at 30 m/s, growth from 20 to 30 m/s. The limits in the spin parameter and the
-/// four waves are guesses.</para>
+/// F_K = ½ ρ π r² U² (1 − (1 − g₀) q)/(1 + (S/S_K)²) C_K (A G(b) + c_W (min(U, 40)/30)^0.9 (f₁ ê₁ + f₂ ê₂)), b = Aᵀ û, ê₁ = û × ŷ normalized (ẑ if vertical),
+/// ê₂ = ê₁ × û. The first part belongs to the seams (<see cref="SeamField"/>) and turns with the ball. The second is a wave of the wake along the distance flown.
 /// </remarks>
 internal sealed class KnuckleForce
 {
     private const int Waves = 4;
 
-    /// <summary>The Strouhal number 2r f/|u| of the middle of the spectrum (measured).</summary>
+    /// <summary>The dynamic force at 30 m/s, in air of 1.2 kg/m³, on a ball with a radius of 0.11 m, in N: C_K = K/20.53 N.</summary>
+    public const double ReferenceForce = 20.53;
+
+    /// <summary>The Strouhal number 2r f/U of the middle of the wake's spectrum (measured: Hong and Asai 2014, peak at 2.5 Hz at 30 m/s).</summary>
     public const double Strouhal = 0.0183;
 
-    /// <summary>The exponent of the growth with speed (measured: by 320 % from 20 to 30 m/s).</summary>
-    public const double Growth = 2.9;
+    /// <summary>The exponent of the growth of the wake's coefficient with speed (measured: Hong and Asai 2014, force by 320 % from 20 to 30 m/s; 2.9 − 2).</summary>
+    public const double Growth = 0.9;
 
-    /// <summary>The spin parameter up to which the full force acts (guess).</summary>
-    public const double LeastSpin = 0.02;
+    /// <summary>c_W, the size of the wake's wave relative to the field of the seams (guess, 0 … 0.7).</summary>
+    public const double Wake = 0.35;
 
-    /// <summary>The width in spin parameter over which the force falls to 0 (guess).</summary>
-    public const double SpinWidth = 0.04;
+    /// <summary>g₀, the share of the force that is left below the drag crisis (guess, 0 … 1).</summary>
+    public const double Subcritical = 0.3;
 
-    private const double Slowest = 3;
+    /// <summary>S_K, the spin parameter at which half of the force is left (guess, 0.05 … ∞). It matters only if the axis is tilted towards the motion.</summary>
+    public const double SpinScale = 0.1;
+
+    /// <summary>The speed above which the wake's coefficient stops growing, in m/s.</summary>
     private const double Fastest = 40;
+
+    /// <summary>The speed below which no force acts, in m/s.</summary>
+    private const double Slowest = 1e-9;
+
+    /// <summary>The counter of the first random number of the orientation.</summary>
+    private const int FirstOfOrientation = 64;
 
     private static readonly double[] Frequency = [0.45, 0.75, 1, 1.4];
     private static readonly double[] Weight = [0.70, 0.95, 1, 0.60];
     private static readonly PowerTable Power = new(Growth);
 
+    private readonly SeamField _seams;
     private readonly FourWaves _first;
     private readonly FourWaves _second;
-    private readonly double _perMass;
-    private readonly double _radius;
+    private readonly double _scale; // ½ ρ π r² C_K/m, 1/m
+    private readonly double _surface; // r²/S_K²
+    private readonly SubcriticalFlow _flow;
 
     private KnuckleForce(Scene scene, long seed)
     {
-        double r = scene.Ball.Radius;
+        BallProperties ball = scene.Ball;
         double sum = 0;
         foreach (double w in Weight)
         {
@@ -48,63 +62,147 @@ internal sealed class KnuckleForce
         // c = 1/√(Σ w²/2), so that the standard deviation of f is 1.
         double scale = 1.0 / Math.Sqrt(sum);
         var amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
-        _first = new FourWaves(seed, 0, r, amplitude);
-        _second = new FourWaves(seed, 8, r, amplitude);
-        _radius = r;
-        _perMass = scene.Ball.KnuckleForce * (scene.Air.Density / 1.2) * (r / 0.11) * (r / 0.11) / scene.Ball.Mass;
+        _first = new FourWaves(seed, 0, ball.Radius, amplitude);
+        _second = new FourWaves(seed, 8, ball.Radius, amplitude);
+        _seams = new SeamField(ball.SeamSeed);
+        _flow = new SubcriticalFlow(scene);
+        _surface = ball.Radius * ball.Radius / (SpinScale * SpinScale);
+        _scale = AirScale.DynamicArea(scene) * (ball.KnuckleForce / ReferenceForce);
     }
 
     /// <summary>Returns the force of a scene; null if none acts.</summary>
     public static KnuckleForce? Of(Scene scene) => scene.Forces.KnuckleSeed is { } seed && scene.Ball.KnuckleForce > 0 ? new KnuckleForce(scene, seed) : null;
 
-    /// <summary>An upper bound on the effect: |F_K|/m ≤ √2 c Σ w κ/m, and κ/|u|² is largest at the speed where κ stops growing.</summary>
-    public RateBound Bound => new(_perMass * Math.Sqrt(2.0) * _first.Amplitude.Sum * Power.Of(Fastest / 30.0) / (Fastest * Fastest), 0, 0);
+    /// <summary>Returns the orientation of a ball that is launched without one: random by the seed of the kick, and the identity without a seed.</summary>
+    public static Quaterniond Orientation(Scene scene)
+    {
+        if (scene.Forces.KnuckleSeed is not { } seed)
+        {
+            return Quaterniond.Identity;
+        }
 
-    /// <summary>Returns the acceleration, in m/s².</summary>
+        // A uniform rotation of three uniform numbers (Shoemake 1992).
+        double share = SplitMix64.At(seed, FirstOfOrientation);
+        Elementary.SinCos(2.0 * Math.PI * SplitMix64.At(seed, FirstOfOrientation + 1), out double sinA, out double cosA);
+        Elementary.SinCos(2.0 * Math.PI * SplitMix64.At(seed, FirstOfOrientation + 2), out double sinB, out double cosB);
+        double a = Math.Sqrt(1.0 - share);
+        double b = Math.Sqrt(share);
+        return new Quaterniond(a * sinA, a * cosA, b * sinB, b * cosB);
+    }
+
+    /// <summary>An upper bound on the effect: the largest |G|, and √2 c Σ w for the wake.</summary>
+    public RateBound Bound =>
+        new(_scale * (_seams.Largest + (Wake * Power.Of(Fastest / 30.0) * Math.Sqrt(2.0) * _first.Amplitude.Sum)), 0, 0);
+
+    /// <inheritdoc cref="IFlightLaws.Begin"/>
+    public void Begin(in BallState start, out SeamAxes seams) => _seams.Turn(start.Angle == 0 ? start.BaseOrientation : start.Orientation, out seams);
+
+    /// <summary>Returns the acceleration at an orientation, in m/s².</summary>
     /// <param name="u">The velocity relative to the air, in m/s.</param>
     /// <param name="spin">The spin, in rad/s.</param>
     /// <param name="distance">The distance flown through the air, s, in m.</param>
-    public Vector3d Acceleration(in Vector3d u, in Vector3d spin, double distance)
+    /// <param name="orientation">The orientation.</param>
+    public Vector3d Acceleration(in Vector3d u, in Vector3d spin, double distance, in Quaterniond orientation)
     {
-        double speedSquared = u.LengthSquared;
-        if (!(speedSquared >= Slowest * Slowest))
-        {
-            return Vector3d.Zero;
-        }
-
-        // κ = K (ρ/1.2)(r/0.11)² (min(|u|, 40)/30)^2.9 (1 − h),  h = x²(3 − 2x),  x = clamp((S − 0.02)/0.04, 0, 1),  S = r|ω × u|/|u|²
-        double spinParameter = _radius * Vector3d.Cross(in spin, in u).Length / speedSquared;
-        double x = Math.Min(Math.Max((spinParameter - LeastSpin) / SpinWidth, 0.0), 1.0);
-        double fade = 1.0 - (x * x * (3.0 - (2.0 * x)));
-        if (fade <= 0)
-        {
-            return Vector3d.Zero;
-        }
-
-        double speed = Math.Sqrt(speedSquared);
-        double strength = _perMass * Power.Of(Math.Min(speed, Fastest) / 30.0) * fade;
-
-        // ê₁ = û × ŷ normalised, or ẑ if û is vertical; ê₂ = ê₁ × û.
-        Vector3d along = u / speed;
-        var level = new Vector3d(-along.Z, 0, along.X);
-        double across = level.Length;
-        Vector3d first = across > 0 ? level / across : new Vector3d(0, 0, 1);
-        return (strength * Wobble(_first, distance) * first) + (strength * Wobble(_second, distance) * Vector3d.Cross(in first, in along));
+        _seams.Turn(in orientation, out SeamAxes seams);
+        return Acceleration(in seams, u.X, u.Y, u.Z, u.Length, Vector3d.Zero, Vector3d.Cross(in spin, in u).LengthSquared, distance, 0);
     }
 
-    // f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)),  c = 1/√(Σ w²/2)
-    private static double Wobble(FourWaves waves, double distance)
+    /// <summary>Returns the acceleration of a ball that turns about a constant axis, in m/s².</summary>
+    /// <param name="seams">The axes of the seams before the turn.</param>
+    /// <param name="ux">The x component of the velocity relative to the air, in m/s.</param>
+    /// <param name="uy">Its y component.</param>
+    /// <param name="uz">Its z component.</param>
+    /// <param name="speed">Its size.</param>
+    /// <param name="axis">The axis of the turn.</param>
+    /// <param name="crossSquared">|ω × u|², in m²/s⁴.</param>
+    /// <param name="distance">The distance flown through the air, s, in m.</param>
+    /// <param name="turn">The angle of the turn, in rad.</param>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public Vector3d Acceleration(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn)
     {
-        QuadSine.SinCos((waves.TurnsPerMetre * Quad.Of(QuadSine.Limited(distance))) + waves.Phase, out Quad sin, out _);
-        return (waves.Amplitude * sin).Sum;
+        double squared = (ux * ux) + (uy * uy) + (uz * uz);
+        if (!(squared >= Slowest * Slowest))
+        {
+            return Vector3d.Zero;
+        }
+
+        // The seams: U G, from u instead of û, so that nothing waits for a root.
+        double perSquared = 1.0 / squared;
+        double along;
+        Vector3d field;
+        if (turn == 0)
+        {
+            field = _seams.At(in seams, ux, uy, uz, perSquared, out along);
+        }
+        else
+        {
+            // Turn the axes, and not u and the field: this does not wait for u.
+            SmallAngle(turn, out double sin, out double versine);
+            seams.Turn(in axis, sin, versine, out SeamAxes turned);
+            field = _seams.At(in turned, ux, uy, uz, perSquared, out along);
+        }
+
+        along *= perSquared;
+
+        // The wake: ê₁ = û × ŷ normalised, or ẑ if û is vertical; ê₂ = ê₁ × û. All times U.
+        double level = (ux * ux) + (uz * uz);
+        var flown = Quad.Of(QuadSine.Limited(distance));
+        double wake = Wake * Power.Of(Math.Min(speed, Fastest) * (1.0 / 30.0));
+        double f1 = wake * speed * _first.At(flown);
+        double f2 = wake * _second.At(flown);
+
+        // ½ ρ π r² U C_K/m (1 − (1 − g₀) q)/(1 + (S/S_K)²),  S² = r² |ω × u|²/U⁴
+        double share = 1.0 - ((1.0 - Subcritical) * _flow.Share(squared));
+        double fading = 1.0 + (_surface * crossSquared * (perSquared * perSquared));
+
+        // One division serves 1/fading and 1/√level.
+        double root = level > 0 ? Math.Sqrt(level) : 1.0;
+        double reciprocal = 1.0 / (fading * root);
+        double scale = _scale * speed * share * (reciprocal * root);
+        double perLevel = reciprocal * fading;
+        double ex = -uz * perLevel;
+        double ez = level > 0 ? ux * perLevel : 1.0;
+        return new Vector3d(
+            scale * (field.X + (((f1 * ex) - (f2 * ez * uy)) - (along * ux))),
+            scale * (field.Y + ((f2 * ((ez * ux) - (ex * uz))) - (along * uy))),
+            scale * (field.Z + (((f1 * ez) + (f2 * ex * uy)) - (along * uz))));
+    }
+
+    /// <summary>Returns sin θ and 1 − cos θ, by Taylor series for the turn within a step.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void SmallAngle(double angle, out double sin, out double versine)
+    {
+        double z = angle * angle;
+        if (z > 0.4)
+        {
+            Elementary.SinCos(angle, out sin, out double cos);
+            versine = 1.0 - cos;
+            return;
+        }
+
+        // Remainders below 1e-16. A slow turn needs fewer terms.
+        double zz = z * z;
+        double s = (1.0 / 362_880.0) - (z * (1.0 / 39_916_800.0));
+        double v = (1.0 / 3_628_800.0) - (z * (1.0 / 479_001_600.0));
+        if (z > 0.1)
+        {
+            s += zz * ((1.0 / 6_227_020_800.0) - (z * (1.0 / 1_307_674_368_000.0)));
+            v += zz * ((1.0 / 87_178_291_200.0) - (z * (1.0 / 20_922_789_888_000.0)));
+        }
+
+        double zzzz = zz * zz;
+        sin = angle * ((1.0 - (z * (1.0 / 6.0))) + (zz * ((1.0 / 120.0) - (z * (1.0 / 5040.0)))) + (zzzz * s));
+        versine = z * ((0.5 - (z * (1.0 / 24.0))) + (zz * ((1.0 / 720.0) - (z * (1.0 / 40_320.0)))) + (zzzz * v));
     }
 
     // This is a separate class, so that a scene without a knuckle force loads no SIMD data.
     private sealed class FourWaves
     {
         public readonly Quad Amplitude;
-        public readonly Quad TurnsPerMetre;
-        public readonly Quad Phase;
+        private readonly Quad _turnsPerMetre;
+        private readonly Quad _phase;
 
         public FourWaves(long seed, int first, double radius, Quad amplitude)
         {
@@ -117,8 +215,16 @@ internal sealed class KnuckleForce
                 phase[k] = SplitMix64.At(seed, first + (2 * k));
             }
 
-            TurnsPerMetre = new Quad(turns[0], turns[1], turns[2], turns[3]);
-            Phase = new Quad(phase[0], phase[1], phase[2], phase[3]);
+            _turnsPerMetre = new Quad(turns[0], turns[1], turns[2], turns[3]);
+            _phase = new Quad(phase[0], phase[1], phase[2], phase[3]);
+        }
+
+        /// <summary>Returns f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)), c = 1/√(Σ w²/2).</summary>
+        /// <param name="distance">s in all lanes.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public double At(Quad distance)
+        {
+            return (Amplitude * QuadSine.Sin((_turnsPerMetre * distance) + _phase)).SumOfHalves;
         }
     }
 }

@@ -24,6 +24,7 @@ internal struct MeasuredLaw : ITableLaw
     private double _ofDrag; // ½ ρ A / m, 1/m; 0 without drag
     private double _ofLift; // ½ ρ A r / m; 0 without lift
     private double _radius;
+    private double _reverseLift; // Λ
     private double _perSpeed; // 2r/ν, s/m
 
     /// <summary>The Reynolds number above which C_D stays constant, at twice the speed of any kick, so that C_D is bounded.</summary>
@@ -38,8 +39,8 @@ internal struct MeasuredLaw : ITableLaw
     // The tables depend only on the curve, not on a scene's cut-off.
     public readonly LawTables Tables => Shared.GetValue(_curve, curve => new MeasuredLaw { _largest = double.PositiveInfinity }.TablesOf(curve));
 
-    /// <summary>A bound on the lift, C_L |u| ≤ L |u|.</summary>
-    public readonly RateBound LiftBound => new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
+    /// <summary>A bound on the lift: C_L is between −Λ and L.</summary>
+    public readonly RateBound LiftBound => new(_ofLift / _radius * Math.Max(SaturatingLift.Limit, _reverseLift), 0, 0);
 
     /// <summary>Returns a bound on the drag up to a speed, in m/s.</summary>
     public readonly RateBound DragBound(double fastest) => new(_ofDrag * (_drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
@@ -50,6 +51,7 @@ internal struct MeasuredLaw : ITableLaw
         _curve = Canonical(scene.Ball.DragCurve);
         _drag = new ReynoldsDrag(_curve);
         _radius = scene.Ball.Radius;
+        _reverseLift = scene.Ball.ReverseLift;
         _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
         _largest = _perSpeed * (2.0 * Limits.Speed);
         double dynamic = AirScale.DynamicArea(scene);
@@ -67,14 +69,14 @@ internal struct MeasuredLaw : ITableLaw
     /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
     private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
-    // Compute C_D without spin, the reduction of drag due to spin, and the reduction of lift below the crisis.
+    // Compute C_D without spin, the reduction of drag due to spin, the reduction of lift below the crisis, and the share of subcritical flow.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
         factors.First = _drag.Coefficient(Math.Min(speed, _largest));
         factors.Second = SpinDrag.OfShare(share);
         factors.Third = SaturatingLift.OfShare(share);
-        factors.Fourth = 0;
+        factors.Fourth = share;
     }
 
     // C_D by spin above the crisis, and C_L/S above the crisis.
@@ -127,18 +129,23 @@ internal struct MeasuredDrag : IAirLaw
     }
 }
 
-/// <summary>The lift of the measured laws alone, by <see cref="SaturatingLift"/>.</summary>
+/// <summary>The lift of the measured laws alone, by <see cref="SaturatingLift"/> and <see cref="ReverseLift"/>.</summary>
 internal struct MeasuredMagnus : IAirLaw
 {
     private MeasuredLaw _law;
+    private ReverseLift _reverse;
 
     public readonly RateBound Bound => _law.LiftBound;
 
-    public void Prepare(Scene scene) => _law.Prepare(scene);
+    public void Prepare(Scene scene)
+    {
+        _law.Prepare(scene);
+        _reverse.Prepare(scene);
+    }
 
     public readonly double Factor(in AirFlow flow)
     {
         _law.At(in flow, out _, out double lift, out _);
-        return lift;
+        return _reverse.Acts ? lift + _reverse.Factor(flow.Speed, flow.SpinRate, flow.AcrossSquared) : lift;
     }
 }

@@ -49,5 +49,9 @@ internal struct FieldAir<TLaw> : IFlightAir
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3d WindAt(double time, double x, double y, double z) => _scene.WindAt(time, x, y, z);
 
-    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _scene.Side(in u, in spin, distance);
+    public readonly void Begin(in BallState start, out SeamAxes seams) => _scene.Begin(in start, out seams);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) =>
+        _scene.Side(in seams, ux, uy, uz, speed, in axis, crossSquared, distance, turn);
 }

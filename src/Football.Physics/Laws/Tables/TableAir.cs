@@ -30,6 +30,8 @@ internal struct TableAir<TLaw> : IFlightAir
     private const double BelowFastest = 0.9375;
 
     private readonly ConstantParts _constant;
+    private readonly ReverseLift _reverse;
+    private readonly bool _changes; // a coefficient is constant, or lift can reverse
     private TLaw _law;
     private readonly FactorTable _speeds;
     private readonly FactorTable _spins;
@@ -55,11 +57,15 @@ internal struct TableAir<TLaw> : IFlightAir
     /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>
     private double FastestSpin => TableRange.FastestSurface / _radius;
 
-    public TableAir(Scene scene)
+    /// <param name="scene">The scene.</param>
+    /// <param name="others">The bound on the change of velocity by air forces other than drag and lift.</param>
+    public TableAir(Scene scene, in RateBound others = default)
     {
         _law = default;
         _law.Prepare(scene);
         _constant.Prepare(scene);
+        _reverse.Prepare(scene);
+        _changes = _constant.Any || _reverse.Acts;
         LawTables tables = _law.Tables;
         _speeds = tables.Speeds;
         _spins = tables.Spins;
@@ -70,7 +76,7 @@ internal struct TableAir<TLaw> : IFlightAir
         _slowestSquared = slowest * slowest;
         _fastestSquared = fastest * fastest;
         _decay = SceneLaws.SpinDecay(scene).Bound;
-        _range = new TableRange(scene, SceneLaws.DragBound(scene, fastest) + SceneLaws.Magnus(scene).Bound, FastestSpin, AboveSlowest * slowest, fastest);
+        _range = new TableRange(scene, SceneLaws.DragBound(scene, fastest) + SceneLaws.Magnus(scene).Bound + others, FastestSpin, AboveSlowest * slowest, fastest);
     }
 
     /// <inheritdoc cref="IFlightAir.WholeUpTo"/>
@@ -113,9 +119,9 @@ internal struct TableAir<TLaw> : IFlightAir
         _spins.Evaluate(ofSpin, out LawFactors bySpin);
         double speed = Math.Sqrt(speedSquared);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
-        if (_constant.Any)
+        if (_changes)
         {
-            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
+            Change(speed, spinRate, acrossSquared, ref drag, ref lift, ref decay);
         }
     }
 
@@ -176,18 +182,32 @@ internal struct TableAir<TLaw> : IFlightAir
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
-        if (_constant.Any)
+        if (_changes)
         {
-            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
+            Change(speed, spinRate, acrossSquared, ref drag, ref lift, ref decay);
         }
 
         drag = moves ? drag : 0;
         lift = moves && spinRate > 0 ? lift : 0;
     }
 
+    /// <summary>Adds the reverse lift, and replaces the factors of the forces that have constant coefficients.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void Change(double speed, double spinRate, double acrossSquared, ref double drag, ref double lift, ref double decay)
+    {
+        if (_reverse.Acts)
+        {
+            lift += _reverse.Factor(speed, spinRate > 0 ? spinRate : 0, acrossSquared);
+        }
+
+        _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
+    }
+
     public Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
 
-    public Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
+    public void Begin(in BallState start, out SeamAxes seams) => seams = default;
+
+    public Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) => Vector3d.Zero;
 }
 
 /// <summary>The states and step lengths for which the tables hold at every stage, for any gravity and air.</summary>

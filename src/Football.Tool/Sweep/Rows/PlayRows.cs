@@ -226,7 +226,7 @@ internal sealed class PlayRows : LaunchRows
     }
 
     private BallState Launch(CompiledScene scene, int row) =>
-        scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? Quaterniond.Identity);
+        scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? scene.Simulator.LaunchOrientation);
 
     /// <summary>
     /// Returns the index in <see cref="s_outcomes"/>, or <see cref="Column.Missing"/>. The recorded flight decides if it contains a goal or ends at rest.
