@@ -176,6 +176,37 @@ internal static unsafe partial class Exports
         }
     }
 
+    /// <summary>Computes the outputs of an impact in the last step: impulses, slip, duration, compression, peak force, energy.</summary>
+    /// <param name="match">The match.</param>
+    /// <param name="event">The index of the event in the last step, from 0, as fp_match_step writes them; below 1 024.</param>
+    /// <param name="out">Receives the outputs.</param>
+    /// <returns>FP_OK, FP_HANDLE, or FP_ARGUMENT: the last step has no such event, or the event is not an impact.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_match_impact")]
+    public static NativeStatus MatchImpact([In] NativeMatch* match, int @event, NativeImpactResult* @out)
+    {
+        try
+        {
+            Match played = Guard.MatchOf(match);
+            Guard.Given(@out, "out");
+            lock (played.Gate)
+            {
+                ref readonly BallEvent happened = ref played.Runner.Events[@event];
+                if (happened.Kind != BallEventKind.Impact)
+                {
+                    throw new ArgumentException($"event is {@event}, of the kind {(int)happened.Kind}; allowed: the index of an impact.");
+                }
+
+                Put(played.ImpactOf(in happened), @out);
+            }
+
+            return NativeStatus.Ok;
+        }
+        catch (Exception e)
+        {
+            return Guard.Fail(e);
+        }
+    }
+
     /// <summary>Reads balls.</summary>
     /// <param name="match">The match.</param>
     /// <param name="first">The index of the first ball, from 0.</param>

@@ -16,6 +16,7 @@ internal static unsafe partial class Exports
     /// <param name="spin">n rows x, y, z, rad/s; at most 10 000.</param>
     /// <param name="time">Time, s; 0 ... 1e12. Only a wind that varies in time depends on it.</param>
     /// <param name="airDistance">n distances flown through the air since the kick, m, for the knuckle force; null for 0.</param>
+    /// <param name="orientation">n rows x, y, z, w, of any length except 0, for the knuckle force; null for the identity.</param>
     /// <param name="force">Receives n rows x, y, z, N.</param>
     /// <param name="torque">Receives n rows x, y, z, N m; null to skip them.</param>
     /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, with nothing written.</returns>
@@ -28,6 +29,7 @@ internal static unsafe partial class Exports
         [In] double* spin,
         double time,
         [In] double* airDistance,
+        [In] double* orientation,
         double* force,
         double* torque)
     {
@@ -43,7 +45,7 @@ internal static unsafe partial class Exports
             for (long i = 0; i < 2 * n; i++)
             {
                 long body = i < n ? i : i - n;
-                ForceAndTorque load = air.Evaluate(Row(position, body), Row(velocity, body), Row(spin, body), time, airDistance is null ? 0 : airDistance[body]);
+                ForceAndTorque load = air.Evaluate(Row(position, body), Row(velocity, body), Row(spin, body), time, airDistance is null ? 0 : airDistance[body], orientation is null ? null : Turned(orientation, body));
                 if (i >= n)
                 {
                     Put(load.Force, force + (3 * body));
@@ -61,4 +63,6 @@ internal static unsafe partial class Exports
             return Guard.Fail(e);
         }
     }
+
+    private static Quaterniond Turned(double* rows, long row) => new(rows[4 * row], rows[(4 * row) + 1], rows[(4 * row) + 2], rows[(4 * row) + 3]);
 }

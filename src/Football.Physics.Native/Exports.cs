@@ -49,16 +49,17 @@ internal static unsafe partial class Exports
     /// <param name="fitBytes">sizeof(fp_fit_result).</param>
     /// <param name="pieceBytes">sizeof(fp_piece).</param>
     /// <param name="fitMatchBytes">sizeof(fp_fit_match_result).</param>
+    /// <param name="impactBytes">sizeof(fp_impact_result).</param>
     /// <returns>FP_OK, or FP_ABI.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_check_structs")]
     public static NativeStatus CheckStructs(
-        int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes)
+        int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes, int impactBytes)
     {
-        (int, int, int, int, int, int, int, int, int) mine = (
+        (int, int, int, int, int, int, int, int, int, int) mine = (
             sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult),
-            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult));
-        (int, int, int, int, int, int, int, int, int) given =
-            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes);
+            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult));
+        (int, int, int, int, int, int, int, int, int, int) given =
+            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes, impactBytes);
         return given == mine
             ? NativeStatus.Ok
             : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");

@@ -69,6 +69,9 @@ internal sealed class Match : Handled
     public Vector3d Impulse(in BallEvent happened) =>
         happened.Kind == BallEventKind.Impact ? SimulatorOf(happened.Ball).Scene.Ball.Mass * (happened.Velocity - happened.VelocityBefore) : Vector3d.Zero;
 
+    /// <summary>Returns the outputs of an impact.</summary>
+    public Impact ImpactOf(in BallEvent happened) => SimulatorOf(happened.Ball).ImpactOf(in happened);
+
     /// <summary>Returns the compiled scene of a ball, which has its own properties.</summary>
     public Simulator SimulatorOf(int ball) => Runner.Group is { } group ? group.SimulatorOf(ball) : Runner.Simulator;
 

@@ -17,6 +17,9 @@ public sealed record Outcome
     /// <remarks>Single ball: impacts with objects that have a mass. Several balls: all impacts except those on the ground.</remarks>
     public Func<BallEvent, Vector3d?> ImpulseOf { get; init; } = _ => null;
 
+    /// <summary>Returns the outputs of an impact.</summary>
+    public Func<BallEvent, Impact> ImpactOf { get; init; } = _ => default;
+
     /// <summary>The greatest height of the ball's centre, in m; 0 for several balls.</summary>
     public required double Apex { get; init; }
 

@@ -209,7 +209,26 @@ public static class ResultWriter
             WriteVector(json, "impulse", impulse);
         }
 
+        if (item.Kind == BallEventKind.Impact)
+        {
+            Write(json, outcome.ImpactOf(item));
+        }
+
         json.WriteEndObject();
+    }
+
+    /// <summary>Writes the outputs of an impact.</summary>
+    private static void Write(Utf8JsonWriter json, in Impact impact)
+    {
+        json.WriteNumber("normalImpulse", impact.NormalImpulse);
+        json.WriteNumber("tangentialImpulse", impact.TangentialImpulse);
+        json.WriteNumber("slipBefore", impact.SlipBefore);
+        json.WriteNumber("slipAfter", impact.SlipAfter);
+        json.WriteBoolean("grips", impact.Grips);
+        json.WriteNumber("contactTime", impact.ContactTime);
+        json.WriteNumber("compression", impact.Compression);
+        json.WriteNumber("peakForce", impact.PeakForce);
+        json.WriteNumber("energyLost", impact.EnergyLost);
     }
 
     /// <summary>Writes a vector as [x, y, z].</summary>

@@ -56,7 +56,8 @@ public static class ScenarioRun
             Evaluations = log.Evaluations,
             Samples = samples,
             NameOf = simulator.NameOf,
-            ImpulseOf = ImpulseOf(scenario, _ => scenario.Scene.Ball, several: false),
+            ImpulseOf = ImpulseOf(scenario, item => simulator.ImpactOf(in item), several: false),
+            ImpactOf = item => simulator.ImpactOf(in item),
             Derivatives = scenario.Derivatives ? DerivativesOf(scenario) : null,
         };
         return IsFinite(outcome)
@@ -96,7 +97,8 @@ public static class ScenarioRun
             Steps = log.Steps,
             Evaluations = log.Evaluations,
             NameOf = group.SimulatorOf(0).NameOf,
-            ImpulseOf = ImpulseOf(scenario, ball => scenario.Balls[ball].Ball, several: true),
+            ImpulseOf = ImpulseOf(scenario, item => group.SimulatorOf(item.Ball).ImpactOf(in item), several: true),
+            ImpactOf = item => group.SimulatorOf(item.Ball).ImpactOf(in item),
         };
         return IsFinite(outcome) ? outcome : throw NotFinite(scenario);
     }
@@ -106,11 +108,11 @@ public static class ScenarioRun
     /// Impacts with objects that have a mass have an impulse; with several balls, all impacts except those on the ground. Collider 0 is the ground, and
     /// the obstacles come next.
     /// </remarks>
-    private static Func<BallEvent, Vector3d?> ImpulseOf(Scenario scenario, Func<int, BallProperties> ballOf, bool several)
+    private static Func<BallEvent, Vector3d?> ImpulseOf(Scenario scenario, Func<BallEvent, Impact> impactOf, bool several)
     {
         IReadOnlyList<Obstacle> obstacles = scenario.Scene.Obstacles;
         bool HasImpulse(int thing) => thing > 0 && (several || (thing <= obstacles.Count && double.IsFinite(obstacles[thing - 1].Mass)));
-        return item => item.Kind == BallEventKind.Impact && HasImpulse(item.ColliderIndex) ? item.Impulse(ballOf(item.Ball)) : null;
+        return item => item.Kind == BallEventKind.Impact && HasImpulse(item.ColliderIndex) ? impactOf(item).Impulse : null;
     }
 
     private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(

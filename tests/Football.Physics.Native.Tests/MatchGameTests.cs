@@ -67,7 +67,7 @@ public sealed class MatchGameTests
         foreach (ref readonly BallEvent e in _runner.Events)
         {
             int body = e.ColliderIndex >= _firstBody && e.ColliderIndex < _firstBody + Players ? e.ColliderIndex - _firstBody : -1;
-            Vector3d impulse = e.Impulse(_ball);
+            Vector3d impulse = e.Kind == BallEventKind.Impact ? _ball.Mass * (e.Velocity - e.VelocityBefore) : Vector3d.Zero;
             if (body >= 0)
             {
                 impulses[body] -= impulse;

@@ -181,7 +181,7 @@ internal sealed class MeetingPlay : IEngineColliders
                 if (other < _offsets.Length)
                 {
                     // The game applies the opposite impulse to its body.
-                    Vector3d gain = item.Impulse(_meeting.Balls[item.Ball].Properties) / -_meeting.Movers[other].Mass;
+                    Vector3d gain = _meeting.Balls[item.Ball].Properties.Mass * (item.Velocity - item.VelocityBefore) / -_meeting.Movers[other].Mass;
                     _gains[other] += gain;
                     _offsets[other] += (states[0].Time - item.Time) * gain;
                 }

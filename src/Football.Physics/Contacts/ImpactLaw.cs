@@ -18,7 +18,8 @@ internal static class ImpactLaw
     /// <param name="velocity">Velocity after, m/s.</param>
     /// <param name="spin">Spin after, rad/s.</param>
     /// <param name="recoil">The mass ratio m/M of the ball and the object; 0 for an immovable object.</param>
-    public static void Apply(
+    /// <returns>True if friction holds the contact; false if it slips.</returns>
+    public static bool Apply(
         BallProperties ball,
         in ContactMaterial material,
         in Vector3d n,
@@ -38,7 +39,7 @@ internal static class ImpactLaw
             // The surface recedes at least as fast as the ball approaches, so there is no impulse.
             velocity = v;
             spin = w;
-            return;
+            return true;
         }
 
         // Per mass: 1/m + 1/M becomes 1 + m/M, and 1/κ becomes 1/(1 + 1/α + m/M). The slip is s = u_t + r n × ω.
@@ -50,6 +51,7 @@ internal static class ImpactLaw
         double about = Vector3d.Dot(in w, in n);
         double kept = law.SpinKept(in material, about, alpha * r * r);
         spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, law.Friction)) + ((kept - about) * n);
+        return law.Grips;
     }
 
     /// <summary>Computes the impact of two balls that touch and close.</summary>
@@ -62,7 +64,8 @@ internal static class ImpactLaw
     /// <param name="second">The second ball before.</param>
     /// <param name="a">The first ball's velocity and spin after.</param>
     /// <param name="b">The second ball's velocity and spin after.</param>
-    public static void Apply(
+    /// <returns>True if friction holds the contact; false if it slips.</returns>
+    public static bool Apply(
         BallProperties ball, BallProperties other, in ContactMaterial material, in Vector3d n, in BallState first, in BallState second, out Motion a, out Motion b)
     {
         // The slip velocity u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n).
@@ -75,7 +78,7 @@ internal static class ImpactLaw
         {
             a = new Motion(first.Position, first.Velocity, in w1);
             b = new Motion(second.Position, second.Velocity, in w2);
-            return;
+            return true;
         }
 
         // κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂.
@@ -99,6 +102,7 @@ internal static class ImpactLaw
             second.Position,
             second.Velocity - (impulse / other.Mass),
             w2 - (other.Radius / other.MomentOfInertia * turning) - (torque / other.MomentOfInertia * n));
+        return law.Grips;
     }
 
     /// <summary>Returns the energy that a bumper has added along the normal, J.</summary>
@@ -120,6 +124,9 @@ internal static class ImpactLaw
         /// <summary>−J_t.</summary>
         public readonly Vector3d Friction;
 
+        /// <summary>True if friction holds the contact.</summary>
+        public readonly bool Grips;
+
         /// <param name="material">The material.</param>
         /// <param name="approach">−u·n, m/s; above 0.</param>
         /// <param name="along">u_t, m/s.</param>
@@ -139,7 +146,8 @@ internal static class ImpactLaw
             var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, turning * (1.0 + material.TangentialZ) * slip.Z);
             double size = grip.Length;
             double most = FrictionLaw.Limit(material.ImpactFriction, Normal);
-            Friction = size > most ? most / size * grip : grip;
+            Grips = !(size > most);
+            Friction = Grips ? grip : most / size * grip;
         }
 
         /// <summary>Returns the spin about the normal after the impact, rad/s: the share e_ω, minus the drilling friction b μ_s J_n/I.</summary>

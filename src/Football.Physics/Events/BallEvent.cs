@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Events;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
@@ -13,6 +14,9 @@ public readonly struct BallEvent : IFormattable
     private readonly int _kind;
     private readonly int _other; // Index + 1, so that a default event has no other ball.
 
+    /// <summary>The object of an impact, for <see cref="Impact"/>.</summary>
+    internal readonly ImpactContact Contact;
+
     internal BallEvent(
         BallEventKind kind,
         int thing,
@@ -22,7 +26,8 @@ public readonly struct BallEvent : IFormattable
         in Vector3d velocityBefore,
         in Vector3d spinBefore,
         in Vector3d velocity,
-        in Vector3d spin)
+        in Vector3d spin,
+        in ImpactContact contact = default)
     {
         _kind = (int)kind;
         ColliderIndex = thing;
@@ -33,6 +38,7 @@ public readonly struct BallEvent : IFormattable
         SpinBefore = spinBefore;
         Velocity = velocity;
         Spin = spin;
+        Contact = contact;
     }
 
     /// <summary>Copies an event for one of several balls.</summary>
@@ -44,9 +50,20 @@ public readonly struct BallEvent : IFormattable
         Ball = ball;
     }
 
+    /// <summary>Copies an event, with another object of the impact.</summary>
+    internal BallEvent(in BallEvent happened, in ImpactContact contact)
+    {
+        this = happened;
+        Contact = contact;
+    }
+
     /// <summary>Creates the event of one ball in an impact between two.</summary>
-    internal BallEvent(int otherBall, in Vector3d normal, double time, in BallState before, in Vector3d velocity, in Vector3d spin)
-        : this(BallEventKind.Impact, -1, in normal, time, before.Position, before.Velocity, before.Spin, in velocity, in spin) => _other = otherBall + 1;
+    internal BallEvent(int otherBall, in Vector3d normal, double time, in BallState before, in Vector3d velocity, in Vector3d spin, in ImpactContact contact)
+        : this(BallEventKind.Impact, -1, in normal, time, before.Position, before.Velocity, before.Spin, in velocity, in spin)
+    {
+        _other = otherBall + 1;
+        Contact = contact;
+    }
 
     /// <summary>The kind of the event.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
@@ -99,51 +116,16 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>The speed of the ball along the normal just before the event, in m/s.</summary>
-    /// <remarks>Use it to scale the volume of a bounce sound. The velocity of the object is ignored.</remarks>
+    /// <remarks>The velocity of the object is ignored. <see cref="Simulator.ImpactOf"/> computes the strength of an impact.</remarks>
     public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
     /// <summary>The speed that the ball's centre lost in the event, in m/s.</summary>
     public double SpeedLost => VelocityBefore.Length - Velocity.Length;
 
-    /// <summary>Returns the slip of the ball's contact point just before the event, in m/s.</summary>
-    /// <param name="radius">The radius of the ball, in m.</param>
-    public Vector3d SlipBefore(double radius)
-    {
-        // The contact-point velocity v + ω × (−r n), without its normal component.
-        Vector3d surface = VelocityBefore - (radius * Vector3d.Cross(SpinBefore, Normal));
-        return surface - (Vector3d.Dot(in surface, Normal) * Normal);
-    }
-
-    /// <summary>Returns the impulse on the ball, m (v' − v), in N s; zero if the event is not an impact.</summary>
-    /// <remarks>The object received the opposite impulse.</remarks>
-    /// <param name="ball">The ball.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
-    public Vector3d Impulse(BallProperties ball)
-    {
-        Check.Given(nameof(ball), ball);
-        return Kind == BallEventKind.Impact ? ball.Mass * (Velocity - VelocityBefore) : Vector3d.Zero;
-    }
-
     /// <summary>The energy that a bumper added, in J; 0 for all other events.</summary>
     /// <remarks>The energy is ½ m (w'² − w²), where w is the speed along the normal relative to the bumper. If the bumper has a mass M, m/(1 + m/M) replaces
     /// m.</remarks>
     public double AddedEnergy { get; internal init; }
-
-    /// <summary>Returns the translational and rotational energy that the ball lost in the event, in J.</summary>
-    /// <param name="ball">The ball.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
-    public double EnergyLost(BallProperties ball)
-    {
-        if (ball is null)
-        {
-            throw new ArgumentNullException(nameof(ball));
-        }
-
-        // ½ m (|v|² − |v'|²) + ½ I (|ω|² − |ω'|²)
-        double linear = VelocityBefore.LengthSquared - Velocity.LengthSquared;
-        double angular = SpinBefore.LengthSquared - Spin.LengthSquared;
-        return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));
-    }
 
     /// <summary>Formats the kind, time, position and velocity.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);

@@ -51,6 +51,13 @@ public sealed record BallProperties
     /// </remarks>
     public double ReverseLift { get; init; }
 
+    /// <summary>The gauge pressure, in bar.</summary>
+    /// <remarks>
+    /// Only the outputs of an impact depend on it (<see cref="Simulator.ImpactOf"/>). <see cref="Dials.Pressure"/> sets it, together with mass and bounce. 0.6 … 1.1
+    /// (law); default 0.8 (FIFA's tests).
+    /// </remarks>
+    public double Pressure { get; init; } = Dials.UsualPressure;
+
     /// <summary>The layers that the ball ignores, as a bit set from <see cref="Layers.Of"/>. Default: none.</summary>
     /// <remarks>The ball passes through obstacles, bodies and engine colliders on these layers, for instance a thrower's own hands. Zones on these layers do
     /// not report the ball.</remarks>

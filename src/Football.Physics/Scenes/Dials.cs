@@ -9,7 +9,7 @@ namespace FootballPhysics;
 public sealed record Dials
 {
     /// <summary>The pressure at which FIFA tests balls, in bar: a drop from 2 m on concrete rebounds to 1.35 m.</summary>
-    private const double UsualPressure = 0.8;
+    internal const double UsualPressure = 0.8;
 
     /// <summary>L, the share of energy that a ball of that pressure loses on concrete: 1 − 0.861².</summary>
     private const double UsualLoss = 0.258679;
@@ -81,6 +81,7 @@ public sealed record Dials
         return ball with
         {
             Mass = dry + air,
+            Pressure = Pressure,
             Bounce = ball.Bounce * Math.Sqrt((1.0 - (UsualLoss * Math.Sqrt(UsualPressure / Pressure))) / (1.0 - UsualLoss)),
             DragCurve = Wear > 0 ? curve.WithCrisisAt(curve.CriticalReynolds * Elementary.Exp(0.14 * Wear * Elementary.Log(80.0 / 272.0))) : curve,
         };

@@ -61,7 +61,7 @@ public sealed class EngineCollider
     /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move the collider.</summary>
     /// <remarks>
     /// With a finite mass, an impact changes the velocity by the impulse divided by the mass, until <see cref="IEngineColliders.Time"/> advances. From then on
-    /// the engine's own position and velocity are used, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
+    /// the engine's own position and velocity are used, so apply the opposite of <see cref="Impact.Impulse"/> to the engine's body.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The mass is not above 0.</exception>
     public double Mass

@@ -38,6 +38,7 @@ internal static class SceneFields
         new("radius", "m", "radius", "law: 68 … 70 cm around", 0.005, 5, b => b.Radius, (b, v) => b with { Radius = v }),
         new("inertiaFactor", "", "moment of inertia, in m r²", "derived: a thin shell", 0.1, 1, b => b.InertiaFactor, (b, v) => b with { InertiaFactor = v }),
         new("bounce", "", "factor on every restitution", "derived: 1 at 0.8 bar", 0, 1.2, b => b.Bounce, (b, v) => b with { Bounce = v }),
+        new("pressure", "bar", "gauge pressure, for the outputs of impacts", "law: 0.6 … 1.1", 0.6, 1.1, b => b.Pressure, (b, v) => b with { Pressure = v }),
         new("knuckleForce", "N", "deviation of the knuckle force at 30 m/s", "measured: 0.9 … 2.2", 0, 100, b => b.KnuckleForce, (b, v) => b with { KnuckleForce = v }),
         new("reverseLift", "", "lift against the spin of a smooth ball near its crisis", "guess: 0 for match balls", 0, 1, b => b.ReverseLift, (b, v) => b with { ReverseLift = v }),
     ];

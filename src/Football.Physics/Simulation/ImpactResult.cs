@@ -1,4 +1,5 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Events;
 
 namespace FootballPhysics.Simulation;
 
@@ -31,7 +32,7 @@ internal sealed class ImpactResult
         Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
         double recoil = hit.GivesWay ? _world.Ball.Mass / hit.Mass : 0;
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
-        ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
+        bool grips = ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
 
         run.Fastest = hit.Moves ? Math.Max(run.Fastest, material.FastestBy(surface.Length)) : run.Fastest;
 
@@ -51,7 +52,7 @@ internal sealed class ImpactResult
         {
             // A ball that stays on an object with a mass has an impact with e = 0, which conserves momentum.
             ContactMaterial dead = material.WithoutRestitution();
-            ImpactLaw.Apply(_world.Ball, in dead, in n, in surface, in v, in w, out velocity, out spin, recoil);
+            grips = ImpactLaw.Apply(_world.Ball, in dead, in n, in surface, in v, in w, out velocity, out spin, recoil);
             off = 0;
         }
 
@@ -64,6 +65,7 @@ internal sealed class ImpactResult
             Velocity = bounces && off > 0 ? velocity : velocity - (off * n),
             Spin = spin,
             Added = added,
+            Contact = new ImpactContact(in surface, grips, recoil / _world.Ball.Mass),
             Bounces = bounces,
         };
     }
@@ -87,7 +89,7 @@ internal sealed class ImpactResult
         }
         else
         {
-            run.Report(BallEventKind.Impact, _world.Reported(thing), in end.Normal, in s, in end.Struck, in end.Spin, end.Added);
+            run.Report(BallEventKind.Impact, _world.Reported(thing), in end.Normal, in s, in end.Struck, in end.Spin, end.Added, in end.Contact);
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
@@ -114,6 +116,9 @@ internal struct ImpactOutcome
 
     /// <summary>The energy that a bumper added, J.</summary>
     public double Added;
+
+    /// <summary>The object, for the event.</summary>
+    public ImpactContact Contact;
 
     /// <summary>True if the ball leaves the object.</summary>
     public bool Bounces;

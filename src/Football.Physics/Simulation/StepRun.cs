@@ -1,4 +1,5 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Events;
 using FootballPhysics.Integration;
 
 namespace FootballPhysics.Simulation;
@@ -307,11 +308,12 @@ internal ref struct StepRun
     /// <param name="velocity">Its velocity just after, m/s.</param>
     /// <param name="spin">Its spin just after, rad/s.</param>
     /// <param name="added">The energy that a bumper added, J.</param>
-    public readonly void Report(BallEventKind kind, long thing, in Vector3d normal, in BallState s, in Vector3d velocity, in Vector3d spin, double added = 0)
+    /// <param name="contact">The object of an impact.</param>
+    public readonly void Report(BallEventKind kind, long thing, in Vector3d normal, in BallState s, in Vector3d velocity, in Vector3d spin, double added = 0, in ImpactContact contact = default)
     {
         if (StepBudget.Reports(kind, Reported, Length))
         {
-            Log.Events.Add(new BallEvent(kind, (int)thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin) { AddedEnergy = added });
+            Log.Events.Add(new BallEvent(kind, (int)thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin, in contact) { AddedEnergy = added });
         }
         else
         {

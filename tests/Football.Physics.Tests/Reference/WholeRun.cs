@@ -31,6 +31,9 @@ internal sealed class WholeRun
     /// <summary>Half an angle, rad; 0 where the case says none.</summary>
     public double Orientation { get; private set; }
 
+    /// <summary>Of the outputs of impacts, relative; infinite if grip and slip are confused.</summary>
+    public double Output { get; private set; }
+
     /// <summary>How far the end moves by roundings of the launch, as the reference found.</summary>
     public double Sensitivity { get; private set; }
 
@@ -68,6 +71,10 @@ internal sealed class WholeRun
         foreach ((JsonElement item, BallEvent happened) in events.Zip(happenings))
         {
             run.Compare(item, happened.Time, happened.Position, happened.Velocity, happened.Spin);
+            if (item.TryGetProperty("peakForce", out _))
+            {
+                run.CompareOutputs(item, outcome.ImpactOf(happened));
+            }
         }
 
         Moment end = outcome.Final;
@@ -97,6 +104,22 @@ internal sealed class WholeRun
         Spin = Math.Max(Spin, Differences.Relative(in spin, ReferenceCase.Vector(expected.GetProperty("spin"))));
     }
 
+    private void CompareOutputs(JsonElement expected, in Impact impact)
+    {
+        (string Name, double Value)[] outputs =
+        [
+            ("normalImpulse", impact.NormalImpulse), ("tangentialImpulse", impact.TangentialImpulse), ("slipBefore", impact.SlipBefore), ("slipAfter", impact.SlipAfter),
+            ("contactTime", impact.ContactTime), ("compression", impact.Compression), ("peakForce", impact.PeakForce), ("energyLost", impact.EnergyLost),
+        ];
+        foreach ((string name, double value) in outputs)
+        {
+            double right = ReferenceCase.Number(expected, name);
+            Output = Math.Max(Output, Math.Abs(value - right) / Math.Max(Math.Abs(right), 1e-3));
+        }
+
+        Output = impact.Grips == expected.GetProperty("grips").GetBoolean() ? Output : double.PositiveInfinity;
+    }
+
     private static string? SurfaceOf(JsonElement item) => item.TryGetProperty("surface", out JsonElement surface) ? surface.GetString() : null;
 
     /// <summary>
@@ -106,9 +129,9 @@ internal sealed class WholeRun
     private bool Holds(double bounds)
     {
         double most = bounds * Bound;
-        return _wrongEvents is null && Time <= most && Position <= most && Velocity <= 4 * most && Spin <= 4 * most && Orientation <= 25 * most;
+        return _wrongEvents is null && Time <= most && Position <= most && Velocity <= 4 * most && Spin <= 4 * most && Output <= 4 * most && Orientation <= 25 * most;
     }
 
     public override string ToString() => _wrongEvents ?? FormattableString.Invariant(
-        $"{Name}: {Time:e1} s, {Position:e1} m, {Velocity:e1} m/s, {Spin:e1} rad/s, {Orientation:e1} rad; bound {Bound:e1}");
+        $"{Name}: {Time:e1} s, {Position:e1} m, {Velocity:e1} m/s, {Spin:e1} rad/s, {Orientation:e1} rad, outputs {Output:e1}; bound {Bound:e1}");
 }

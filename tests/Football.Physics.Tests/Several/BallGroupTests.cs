@@ -126,7 +126,7 @@ public sealed class BallGroupTests
         Assert.Equal((1, 0), (hits[1].Ball, hits[1].OtherBall));
         Assert.Equal(hits[0].Time, hits[1].Time);
         Assert.Equal(-1, hits[0].ColliderIndex);
-        Vector3d sum = hits[0].Impulse(simulator.Scene.Ball) + hits[1].Impulse(simulator.Scene.Ball);
+        Vector3d sum = simulator.ImpactOf(in hits[0]).Impulse + simulator.ImpactOf(in hits[1]).Impulse;
         Assert.InRange(sum.Length, 0, 1e-14);
         Assert.True(balls[1].Position.X > 5, "the resting ball has gone on");
         Assert.Equal(MotionState.Rest, balls[0].Motion);

@@ -35,7 +35,7 @@ public sealed class MassTests
         var log = new StepLog();
         simulator.Run(ref ball, 0.01, 1, StopAt.Impact, log);
         BallEvent hit = log.Events[log.Events.Count - 1];
-        Vector3d impulse = hit.Impulse(simulator.Scene.Ball);
+        Vector3d impulse = simulator.ImpactOf(in hit).Impulse;
         Assert.Equal("head", simulator.NameOf(hit.ColliderIndex));
         Assert.InRange(Vector3d.Distance(head.Velocity, new Vector3d(0, 0, 1) - (impulse / 5)), 0, 1e-14);
         Assert.Equal(hit.Time, head.Time);

@@ -37,7 +37,7 @@ public sealed class BumperTests
         double added = Math.Max(0, 0.5 * 0.43 * ((expected * expected) - (speed * speed)));
         Assert.Equal(expected, hit.Velocity.Z, 12);
         Assert.Equal(added, hit.AddedEnergy, 12);
-        Assert.Equal(-added, Math.Min(0, hit.EnergyLost(BallProperties.Modern)), 12);
+        Assert.Equal(-added, Math.Min(0, new Simulator().ImpactOf(in hit).EnergyLost), 12);
     }
 
     /// <summary>One that weighs something, and one that moves: relative to it, with the energy of both.</summary>
@@ -49,7 +49,7 @@ public sealed class BumperTests
     {
         var towards = new Vector3d(0, 0, coming);
         BallEvent hit = Hit(Against(s_plain with { NormalRestitution = 2 }, mass, towards), new Vector3d(0, 0, -5));
-        Vector3d impulse = hit.Impulse(BallProperties.Modern);
+        Vector3d impulse = new Simulator().ImpactOf(in hit).Impulse;
         Vector3d after = towards - (impulse / mass);
         Assert.Equal(2 * (5 + coming), (hit.Velocity - after).Z, 9);
         double energy = (0.5 * 0.43 * (hit.Velocity.LengthSquared - 25)) + (0.5 * mass * (after.LengthSquared - towards.LengthSquared));

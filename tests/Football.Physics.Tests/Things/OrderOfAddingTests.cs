@@ -128,7 +128,7 @@ public sealed class OrderOfAddingTests
             states[tick] = state;
             foreach (BallEvent happened in log.Events.Span)
             {
-                events.Add($"{happened.Kind} {(happened.ColliderIndex >= 0 ? simulator.NameOf(happened.ColliderIndex) : "")} {happened.Time:R} {happened.Position:R} {happened.Impulse:R}");
+                events.Add($"{happened.Kind} {(happened.ColliderIndex >= 0 ? simulator.NameOf(happened.ColliderIndex) : "")} {happened.Time:R} {happened.Position:R} {happened.Velocity:R}");
             }
         }
 

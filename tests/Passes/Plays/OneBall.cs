@@ -92,7 +92,7 @@ internal static class OneBall
                 {
                     words.Add(ball.NameOf(in happened));
                     words.Add(happened.ToString());
-                    _ = happened.EnergyLost(ball.Simulator.Scene.Ball) + happened.Impulse(ball.Simulator.Scene.Ball).Length + happened.SlipBefore(0.11).Length + happened.TickAt(1.0 / 60) + happened.ApproachSpeed + happened.SpeedLost;
+                    _ = ball.Simulator.ImpactOf(in happened).EnergyLost + happened.TickAt(1.0 / 60) + happened.ApproachSpeed + happened.SpeedLost;
                 }
             }
 

@@ -1,4 +1,5 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Events;
 
 namespace FootballPhysics.Simulation;
 
@@ -334,9 +335,9 @@ internal sealed partial class BallCluster
 
         _meetings[i]++;
         _meetings[j]++;
-        ImpactLaw.Apply(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
-        _current[i].Report(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin));
-        _current[j].Report(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
+        bool grips = ImpactLaw.Apply(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
+        _current[i].Report(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin, ImpactContact.With(other, in states[j], in second, -n, grips)));
+        _current[j].Report(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin, ImpactContact.With(ball, in states[i], in first, in n, grips)));
         GoOn(states, i, in first, in n);
         GoOn(states, j, in second, -n);
         return _stopAt == StopAt.Impact;

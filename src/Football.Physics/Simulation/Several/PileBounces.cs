@@ -1,4 +1,5 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Events;
 
 namespace FootballPhysics.Simulation;
 
@@ -134,12 +135,15 @@ internal sealed class PileBounces
         {
             int other = _solver.Members[contact.Second].Ball;
             ref BallState its = ref states[other];
-            ImpactLaw.Apply(
-                simulator.Scene.Ball, _simulators[other].Scene.Ball, in _material, in contact.Normal, in s, in its, out Motion first, out Motion second);
-            logs[ball].Report(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
-            logs[other].Report(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
-            Set(ref s, in first.Velocity, in first.Spin);
-            Set(ref its, in second.Velocity, in second.Spin);
+            BallProperties own = simulator.Scene.Ball;
+            BallProperties second = _simulators[other].Scene.Ball;
+            bool holds = ImpactLaw.Apply(own, second, in _material, in contact.Normal, in s, in its, out Motion mine, out Motion theirs);
+            logs[ball].Report(new BallEvent(
+                other, in contact.Normal, s.Time, in s, in mine.Velocity, in mine.Spin, ImpactContact.With(second, in its, in theirs, -contact.Normal, holds)));
+            logs[other].Report(new BallEvent(
+                ball, -contact.Normal, s.Time, in its, in theirs.Velocity, in theirs.Spin, ImpactContact.With(own, in s, in mine, in contact.Normal, holds)));
+            Set(ref s, in mine.Velocity, in mine.Spin);
+            Set(ref its, in theirs.Velocity, in theirs.Spin);
             return;
         }
 
@@ -148,9 +152,10 @@ internal sealed class PileBounces
         Vector3d w = s.Spin;
         Collider hit = simulator.World.ByIndex[contact.Collider];
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
-        ImpactLaw.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
+        bool grips = ImpactLaw.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
         logs[ball].Report(new BallEvent(
-            BallEventKind.Impact, simulator.World.ThingOf(contact.Collider), in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
+            BallEventKind.Impact, simulator.World.ThingOf(contact.Collider), in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin,
+            new ImpactContact(in contact.Velocity, grips))
         {
             AddedEnergy = material.IsBumper
                 ? ImpactLaw.Added(simulator.Scene.Ball, 0, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal))
