@@ -16,7 +16,11 @@ internal sealed class FrameShooter
         _context = context;
         _simulator = simulator;
         _timeStep = timeStep;
+        Orientation = simulator.LaunchOrientation;
     }
+
+    /// <summary>The orientation of the ball at the kick.</summary>
+    public Quaterniond Orientation { get; set; }
 
     /// <summary>The closest approach of the last flight to its target.</summary>
     public FrameApproach Target { get; } = new();
@@ -50,7 +54,7 @@ internal sealed class FrameShooter
     private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin, FrameApproach? before)
     {
         // Track the waypoint until the ball has passed it. The flight ends on the ground, or past both points.
-        BallState state = _simulator.LaunchAt(in from, in velocity, in spin, 0);
+        BallState state = _simulator.LaunchAt(in from, in velocity, in spin, 0, Orientation);
         _log.Clear();
         bool isOver = false;
         while (!isOver && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)

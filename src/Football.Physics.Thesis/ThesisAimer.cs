@@ -13,6 +13,8 @@ public sealed class ThesisAimer
     private readonly BisectionAim _bisection;
     private readonly TwoPointAim _twoPoint;
 
+    private readonly FrameShooter _frames;
+
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <param name="settings">The integrator of the flights; default <see cref="SolverSettings.Default"/>.</param>
@@ -26,7 +28,8 @@ public sealed class ThesisAimer
         Direct = new Aimer(simulator);
         AimContext context = Direct.Context;
         Simulator open = context.HasThings ? new Simulator(AimContext.WithoutThings(simulator.Scene), simulator.Settings) : simulator;
-        var frames = new FrameShooter(context, open, timeStep);
+        _frames = new FrameShooter(context, open, timeStep);
+        FrameShooter frames = _frames;
         _angle = new AngleAim(context, frames);
         _bisection = new BisectionAim(context, frames);
         _twoPoint = new TwoPointAim(context, frames, _angle, _bisection);
@@ -51,6 +54,7 @@ public sealed class ThesisAimer
         }
 
         Direct.Begin(request);
+        _frames.Orientation = AimContext.OrientationOf(Direct.Context.Game, request);
         if (method == AimMethod.TwoPoint && request.Waypoint is null)
         {
             throw Check.Refusal("aim.waypoint", "null", "a point, with method twoPoint");

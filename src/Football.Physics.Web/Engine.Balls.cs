@@ -53,6 +53,10 @@ internal static partial class Engine
     [JSExport]
     internal static double LookAheadEnd(int ball) => Guard.Call(() => s_balls[ball].Ahead.EndTime);
 
+    /// <summary>Returns the outputs of an impact of the last step.</summary>
+    [JSExport]
+    internal static double[] Impact(int ball, int index) => Guard.Call(() => s_balls[ball].Impact(index));
+
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     [JSExport]
     internal static int[] LookAheadEvents(int ball) => Guard.Call(() => s_balls[ball].LookAheadEvents());

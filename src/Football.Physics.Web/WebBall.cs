@@ -97,6 +97,17 @@ internal sealed class WebBall
         return Address(_rows);
     }
 
+    /// <summary>Returns the outputs of an impact of the last step, in the order of the members in JavaScript.</summary>
+    public double[] Impact(int index)
+    {
+        Impact impact = Ball.Simulator.ImpactOf(in Ball.Events[index]);
+        return
+        [
+            impact.NormalImpulse, impact.TangentialImpulse, impact.SlipBefore, impact.SlipAfter, impact.Grips ? 1 : 0, impact.ContactTime, impact.Compression,
+            impact.PeakForce, impact.EnergyLost,
+        ];
+    }
+
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     public int[] LookAheadEvents()
     {

@@ -29,6 +29,7 @@ public static class AimInput
             SpinIsFree = spin.Flag("free", request.SpinIsFree),
             MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
             MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
+            Orientation = Scenario.OrientationOf(aim),
             Tolerance = aim.Number("tolerance", request.Tolerance),
             WaypointTolerance = aim.Number("throughTolerance", request.WaypointTolerance),
             MaximumIterations = aim.Whole("maxIterations", request.MaximumIterations),

@@ -111,12 +111,7 @@ public static class ResultWriter
         WriteVector(json, "position", moment.Position);
         WriteVector(json, "velocity", moment.Velocity);
         WriteVector(json, "spin", moment.Spin);
-        json.WriteStartArray("orientation");
-        json.WriteNumberValue(moment.Orientation.X);
-        json.WriteNumberValue(moment.Orientation.Y);
-        json.WriteNumberValue(moment.Orientation.Z);
-        json.WriteNumberValue(moment.Orientation.W);
-        json.WriteEndArray();
+        WriteRotation(json, "orientation", moment.Orientation);
         json.WriteEndObject();
     }
 
@@ -229,6 +224,17 @@ public static class ResultWriter
         json.WriteNumber("compression", impact.Compression);
         json.WriteNumber("peakForce", impact.PeakForce);
         json.WriteNumber("energyLost", impact.EnergyLost);
+    }
+
+    /// <summary>Writes an orientation as [x, y, z, w].</summary>
+    public static void WriteRotation(Utf8JsonWriter json, string name, in Quaterniond rotation)
+    {
+        json.WriteStartArray(name);
+        json.WriteNumberValue(rotation.X);
+        json.WriteNumberValue(rotation.Y);
+        json.WriteNumberValue(rotation.Z);
+        json.WriteNumberValue(rotation.W);
+        json.WriteEndArray();
     }
 
     /// <summary>Writes a vector as [x, y, z].</summary>

@@ -10,6 +10,7 @@ public sealed class MeasuredScenarioTests
     [Theory]
     [InlineData("\"ball\":{\"type\":\"jabulani\"}")]
     [InlineData("\"ball\":{\"type\":\"generic\",\"mass\":0.45,\"knuckleForce\":2}")]
+    [InlineData("\"ball\":{\"type\":\"beachBall\",\"reverseLift\":0.1}")]
     [InlineData("\"air\":{\"weather\":{\"temperature\":-5,\"humidity\":0.8}}")]
     [InlineData("\"air\":{\"weather\":{\"altitude\":2240},\"wind\":[3,0,1]}")]
     [InlineData("\"air\":{\"wind\":{\"speed\":8,\"direction\":[1,-2]}}")]
@@ -29,6 +30,25 @@ public sealed class MeasuredScenarioTests
         Assert.Equal(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"measured\"}}"));
         Assert.NotEqual(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"published\"}}"));
         Assert.Equal(Landing($"{{{L},\"profile\":\"measured\"}}"), Landing($"{{{L},\"profile\":\"measured\",\"ball\":{{\"type\":\"modern\"}},\"ground\":{{\"surface\":\"matchTurf\"}},\"forces\":{{\"knuckleSeed\":null}}}}"));
+    }
+
+    /// <summary>With a seed, orientation and seams decide the path; without one, nothing depends on them.</summary>
+    [Fact]
+    public void Seams_and_orientation_act_with_a_seed_alone()
+    {
+        const string Flat = "\"launch\":{\"position\":[0,0.11,0],\"velocity\":[25,8,0]";
+        const string Turned = Flat + ",\"orientation\":[1,0,0,1]}";
+        const string Seed = ",\"forces\":{\"knuckleSeed\":3}";
+        const string Seams = ",\"ball\":{\"seamSeed\":77}";
+        Assert.NotEqual(Landing($"{{{Flat}}}{Seed}}}"), Landing($"{{{Turned}{Seed}}}"));
+        Assert.NotEqual(Landing($"{{{Turned}{Seed}}}"), Landing($"{{{Turned}{Seed}{Seams}}}"));
+        Assert.Equal(Landing($"{{{Flat}}}}}"), Landing($"{{{Turned}}}"));
+        Assert.Equal(Landing($"{{{Turned}}}"), Landing($"{{{Turned}{Seams}}}"));
+        JsonElement impact = FootballCommand.Play($"{{{Turned}{Seed}}}").GetProperty("events")[0];
+        Assert.All(
+            ["normalImpulse", "tangentialImpulse", "slipBefore", "slipAfter", "contactTime", "compression", "peakForce", "energyLost"],
+            name => Assert.True(impact.GetProperty(name).GetDouble() > 0));
+        Assert.False(impact.GetProperty("grips").GetBoolean());
     }
 
     [Theory]
@@ -64,6 +84,7 @@ public sealed class MeasuredScenarioTests
     [InlineData("\"dials\":{\"pressure\":2}", "dials.pressure is 2; allowed: 0.6 … 1.1")]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
     [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: modern | generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | youthFootball | futsal | beachBall | medicineBall")]
+    [InlineData("\"ball\":{\"seamSeed\":1.5}", "ball.seamSeed is 1.5; allowed: a whole number")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
     [InlineData("\"ground\":{\"surface\":\"none\",\"height\":2}", "ground.height is 2; allowed: a surface other than none")]
     [InlineData("\"ground\":{\"surface\":\"none\",\"normal\":[0,1,1]}", "ground.normal is [0,1,1]; allowed: a surface other than none")]

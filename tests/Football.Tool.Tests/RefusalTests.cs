@@ -19,7 +19,7 @@ public sealed class RefusalTests
     [InlineData("ball.radius", "0", "0.005 … 5")]
     [InlineData("ball.radius", "1000001", "0.005 … 5")]
     [InlineData("ball.inertiaFactor", "1.01", "0.1 … 1")]
-    [InlineData("ball", "5", "an object {type, roughness, dragCurve, mass, radius, inertiaFactor, bounce, knuckleForce, ignores}")]
+    [InlineData("ball", "5", "an object {type, roughness, dragCurve, mass, radius, inertiaFactor, bounce, pressure, knuckleForce, reverseLift, seamSeed, ignores}")]
     [InlineData("air.density", "-0.1", "0 … 100")]
     [InlineData("air.kinematicViscosity", "0", "1E-07 … 0.1")]
     [InlineData("air.wind", "[1000, 1, 0]", "at most 1000 m/s")]
@@ -83,7 +83,7 @@ public sealed class RefusalTests
     [InlineData("\"solvr\":{}", "solvr is unknown (given {})", "did you mean solver?")]
     [InlineData("\"timeStep\":0.1", "timeStep is unknown (given 0.1)", "did you mean solver.timeStep?")]
     [InlineData("\"ground\":{\"tangentialRestitutoin\":0}", "ground.tangentialRestitutoin is unknown", "did you mean ground.tangentialRestitution?")]
-    [InlineData("\"ball\":{\"colour\":\"red\"}", "ball.colour is unknown (given \"red\")", "allowed in ball: type | roughness | dragCurve | mass | radius | inertiaFactor | bounce | knuckleForce | ignores.")]
+    [InlineData("\"ball\":{\"colour\":\"red\"}", "ball.colour is unknown (given \"red\")", "allowed in ball: type | roughness | dragCurve | mass | radius | inertiaFactor | bounce | pressure | knuckleForce | reverseLift | seamSeed | ignores.")]
     [InlineData("\"aim\":{}", "aim is unknown", "allowed at the top: ball | air | gravity")]
     public void An_unknown_field(string member, string begins, string hint) => Refused($"{{{L},{member}}}", begins, hint);
 

@@ -9,7 +9,7 @@ public sealed class SimulateTests
 
     private const string AllMeasured = """
         {"profile": "measured",
-         "ball": {"type": "modern", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.5},
+         "ball": {"type": "modern", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.2, "seamSeed": 1, "reverseLift": 0},
          "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
          "gravity": 9.81,
          "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "measured",

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _structs
 from ._balls import Balls
-from ._scene import Scene
+from ._scene import Scene, impact_dtype
 
 ball_dtype = _structs.BALL
 """The type of a ball of a match: position, m; velocity, m/s; spin, rad/s; orientation x, y, z, w; time, s; motion."""
@@ -199,6 +199,15 @@ class Match:
                 told.append(room[: count.value].copy())
                 self.dropped += count.value - len(told[-1])
         return np.concatenate(told) if told else np.zeros(0, match_event_dtype)
+
+    def impact(self, index: int) -> Any:
+        """Returns the outputs of an impact, for sound, haptics and looks: a record of :data:`impact_dtype`.
+
+        index: the index of the event in the last step, from 0. Call step() with n = 1 to have the events of one step.
+        """
+        outputs = np.zeros(1, impact_dtype)
+        _native.check(_native.match_impact(self._handle, _native.whole(index, "index"), outputs.ctypes.data))
+        return outputs[0]
 
     def balls(self) -> NDArray[Any]:
         """Returns the balls: an array of :data:`ball_dtype`."""

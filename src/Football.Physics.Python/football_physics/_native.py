@@ -49,10 +49,11 @@ run_many = _function("fp_run_many", _P, _P, _L, _D, _D, _I, _P)
 look_ahead = _function("fp_look_ahead", _P, _P, _D, _D, _P, _L, _P)
 aim = _function("fp_aim", _P, ctypes.c_char_p, _L, _P, _P, _P, _P)
 derivatives_run = _function("fp_derivatives_run", _P, _P, _D, _D, _I, _P, _P)
-air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P)
+air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P, _P)
+impact = _function("fp_impact", _P, _P, _P)
 snapshot_write = _function("fp_snapshot_write", _P, _P)
 snapshot_read = _function("fp_snapshot_read", _P, _P)
-check_structs = _function("fp_check_structs", *[_I] * 9)
+check_structs = _function("fp_check_structs", *[_I] * 10)
 match_create = _function("fp_match_create", ctypes.c_char_p, _L, _I, _D, _P)
 match_free = _function("fp_match_free", _P)
 match_name = _function("fp_match_name", _P, _I, _P, _I)
@@ -61,6 +62,7 @@ match_queue_place = _function("fp_match_queue_place", _P, _I, _P, _P, _P, _P)
 match_kick = _function("fp_match_kick", _P, _I, _P, _P)
 match_move_bodies = _function("fp_match_move_bodies", _P, _I, _I, _P)
 match_step = _function("fp_match_step", _P, _P, _I, _P)
+match_impact = _function("fp_match_impact", _P, _I, _P)
 match_read_balls = _function("fp_match_read_balls", _P, _I, _I, _P)
 match_read_bodies = _function("fp_match_read_bodies", _P, _I, _I, _P)
 match_state = _function("fp_match_state", _P, _I, _P, _P)
@@ -111,6 +113,6 @@ def check(status: int) -> None:
         fail(status)
 
 
-_SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH]
+_SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH, _structs.IMPACT]
 if check_abi(ABI_VERSION, STATE_BYTES, BALL_BYTES, EVENT_BYTES) or check_structs(*(struct.itemsize for struct in _SIZES)):
     raise ImportError("football_physics: the package and its library do not belong together: " + last_error().decode())

@@ -9,7 +9,10 @@ from typing import Any, Mapping, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
+from . import _native, _structs
+
+impact_dtype = _structs.IMPACT
+"""The type of the outputs of an impact: impulse and normal and tangential impulse, N s; slip before and after, m/s; contact time, s; compression, m; peak force, N; energy lost, J; grips."""
 
 
 class Scene:
@@ -60,8 +63,22 @@ class Scene:
             room[name] = event[name]
         return float(_native.added_energy(self.handle, room.ctypes.data))
 
+    def impact(self, event: Any) -> Any:
+        """Returns the outputs of an impact with a stationary surface, for sound, haptics and looks: a record of :data:`impact_dtype`.
+
+        It has the impulse, N s; normal and tangential impulse, slip before and after, m/s; contact time, s; compression, m; peak force, N; energy lost, J; grips.
+        event: an impact of :meth:`Balls.step_events`. For the event of a match, use :meth:`Match.impact`.
+        """
+        room = np.zeros(1, [item for item in event.dtype.descr if item[0] != "ball"])
+        for name in room.dtype.names or ():
+            room[name] = event[name]
+        outputs = np.zeros(1, impact_dtype)
+        _native.check(_native.impact(self.handle, room.ctypes.data, outputs.ctypes.data))
+        return outputs[0]
+
     def air(
-        self, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, time: float = 0.0, air_distance: Optional[ArrayLike] = None
+        self, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, time: float = 0.0, air_distance: Optional[ArrayLike] = None,
+        orientation: Optional[ArrayLike] = None,
     ) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Computes the air's force, N, and torque, N m, on bodies that your own code moves: two arrays with the shape of ``velocity``, (n, 3) or (3,).
 
@@ -69,6 +86,7 @@ class Scene:
 
         position, velocity, spin: (n, 3), or (3,) for all bodies; m, m/s, rad/s, world frame.
         air_distance: the distances flown through the air since the kick, (n,) or one number, m; only a knuckle force needs them.
+        orientation: quaternions x, y, z, w from body to world, (n, 4) or (4,); only a knuckle force needs them. Default: the identity.
         """
         rows = [np.asarray(values, np.float64) for values in (position, velocity, spin)]
         shape = np.shape(velocity)
@@ -78,9 +96,11 @@ class Scene:
         n = 1 if len(shape) == 1 else shape[0]
         full = [np.ascontiguousarray(np.broadcast_to(values, (n, 3))) for values in rows]
         flown = None if air_distance is None else np.ascontiguousarray(np.broadcast_to(np.asarray(air_distance, np.float64), (n,)))
+        turned = None if orientation is None else np.ascontiguousarray(np.broadcast_to(np.asarray(orientation, np.float64), (n, 4)))
         force, torque = np.empty(shape), np.empty(shape)
         _native.check(_native.air_many(
-            self.handle, n, *(values.ctypes.data for values in full), time, None if flown is None else flown.ctypes.data, force.ctypes.data, torque.ctypes.data))
+            self.handle, n, *(values.ctypes.data for values in full), time, None if flown is None else flown.ctypes.data,
+            None if turned is None else turned.ctypes.data, force.ctypes.data, torque.ctypes.data))
         return force, torque
 
     def __reduce__(self) -> Any:

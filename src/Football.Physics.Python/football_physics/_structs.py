@@ -59,3 +59,6 @@ WATCH = _struct(*_integers("bytes", "cancel"), *_numbers("progress"))
 FIT_MATCH = _struct(
     ("values", "f8", 12), ("deviations", "f8", 12), *_numbers("rms", "covered", "noise", "rolling_speed", "rolling_deviation"),
     *_integers("estimated", "flights", "impacts", "windows", "good_for", "suspicions"))
+IMPACT = _struct(
+    *_vectors("impulse"), *_numbers("normal_impulse", "tangential_impulse", "slip_before", "slip_after", "contact_time", "compression", "peak_force", "energy_lost"),
+    *_integers("grips"), _RESERVED)

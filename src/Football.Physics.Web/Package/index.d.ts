@@ -34,6 +34,27 @@ export interface BallEvent {
   addedEnergy: number;
 }
 
+/** The outputs of an impact, for sound, haptics and looks. The simulation does not depend on them. */
+export interface Impact {
+  /** The impulse along the normal, in N s. */
+  normalImpulse: number;
+  /** The impulse of friction, in N s. */
+  tangentialImpulse: number;
+  /** The speed of the contact point along the surface before and after, in m/s. */
+  slipBefore: number;
+  slipAfter: number;
+  /** True if friction held the contact. */
+  grips: boolean;
+  /** The duration of a real impact, in s. */
+  contactTime: number;
+  /** The largest compression of the ball, in m. */
+  compression: number;
+  /** The largest normal force, in N. */
+  peakForce: number;
+  /** The kinetic energy lost, in J, relative to the surface. */
+  energyLost: number;
+}
+
 /** A kick at a speed (m/s) and two angles (degrees), with spins in rad/s. */
 export interface KickAngles {
   speed: number;
@@ -265,6 +286,8 @@ export interface Ball extends BallState {
   kick(kick: KickAngles): void;
   /** Advances the ball by a time, in s. */
   step(dt: number): void;
+  /** Returns the outputs of an impact: the index is that in `events` of the last step. All are 0 if the event is not an impact. */
+  impact(index: number): Impact;
   /** Predicts the path as rows t, x, y, z, evenly spaced from now. If the prediction ends early, the last row repeats. */
   lookAhead(seconds: number, samples?: number, options?: LookAheadOptions): Float64Array;
   /** Returns the end of the last prediction, in s. */

@@ -226,6 +226,11 @@ class Ball {
     return this.physics.eventsAt(heap[this.memory + 16], heap[this.memory + 15], this.scene);
   }
 
+  impact(index) {
+    const [normalImpulse, tangentialImpulse, slipBefore, slipAfter, grips, contactTime, compression, peakForce, energyLost] = run(this.engine.Impact, this.id, number("index", index));
+    return { normalImpulse, tangentialImpulse, slipBefore, slipAfter, grips: grips === 1, contactTime, compression, peakForce, energyLost };
+  }
+
   numbers(from, count) { return Array.from(this.physics.heap.subarray(this.memory + from, this.memory + from + count)); }
 
   place(position) { run(this.engine.Place, this.id, ...vector("position", position)); }

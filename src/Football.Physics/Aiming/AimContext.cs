@@ -136,7 +136,10 @@ internal sealed class AimContext
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
     /// <summary>Returns the frame of a request; a ball or target in the ground is raised out of it.</summary>
-    public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target));
+    public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target), OrientationOf(Game, request));
+
+    /// <summary>Returns the orientation of the ball at the kick.</summary>
+    public static Quaterniond OrientationOf(Simulator simulator, AimRequest request) => request.Orientation ?? simulator.LaunchOrientation;
 
     /// <summary>Returns a position of the ball's centre, raised straight up if it is in the ground.</summary>
     public static Vector3d Raised(Simulator simulator, in Vector3d place) => GroundPlace.Raised(simulator.World, in place);

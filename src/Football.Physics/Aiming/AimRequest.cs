@@ -70,6 +70,10 @@ public sealed record AimRequest
     /// </remarks>
     public bool SpinIsFree { get; init; }
 
+    /// <summary>The orientation of the ball at the kick; it is normalised. Default null: that of a launch without one.</summary>
+    /// <remarks>Only the knuckle force depends on it. A kick of a ball in play keeps the ball's orientation, so pass that one.</remarks>
+    public Quaterniond? Orientation { get; init; }
+
     /// <summary>The time of the kick on the clock of the scene's bodies, in s; within ±1e12, default 0.</summary>
     /// <remarks>Only the positions of moving bodies depend on it.</remarks>
     public double KickTime { get; init; }
@@ -98,6 +102,11 @@ public sealed record AimRequest
         Check.Positive("aim.waypointTolerance", WaypointTolerance);
         Check.Defined("aim.arc", Arc, (int)Arc, 2);
         Check.AtLeast("aim.maxIterations", MaximumIterations, 1);
+        if (Orientation is { } orientation)
+        {
+            Check.Rotation("aim.orientation", orientation);
+        }
+
         Check.Within("aim.kickTime", KickTime, -Limits.Time, Limits.Time);
     }
 }

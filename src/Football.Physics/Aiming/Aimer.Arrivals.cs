@@ -156,7 +156,7 @@ public sealed partial class Aimer
     private double SpeedAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time, bool rolls)
     {
         Simulator simulator = Context.Game;
-        BallState state = simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
+        BallState state = simulator.LaunchAt(request.From, velocity, spin, request.KickTime, AimContext.OrientationOf(simulator, request));
         _arrivalLog.Clear();
         bool touches = simulator.RunChecked(ref state, ArrivalStep, Math.Max(time, 1e-9), rolls ? StopAt.Time : StopAt.Impact, _arrivalLog, null);
         return (touches ? _arrivalLog.Events[_arrivalLog.Events.Count - 1].VelocityBefore : state.Velocity).Length;

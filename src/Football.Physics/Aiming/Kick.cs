@@ -85,8 +85,12 @@ internal readonly struct TargetFrame
     /// <summary>The horizontal distance of the target, in m.</summary>
     public readonly double Distance;
 
-    public TargetFrame(in Vector3d from, in Vector3d target)
+    /// <summary>The orientation of the ball at the kick.</summary>
+    public readonly Quaterniond Orientation;
+
+    public TargetFrame(in Vector3d from, in Vector3d target, in Quaterniond orientation)
     {
+        Orientation = orientation;
         // If the target is straight above or below, it has no horizontal direction: use −z.
         Vector3d flat = (target - from).Horizontal;
         From = from;

@@ -30,7 +30,7 @@ internal class KickLook(Simulator simulator) : ApproachFlight(simulator)
     {
         // Simulate until the ball no longer approaches; the start counts as an approach.
         kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = Simulator.LaunchAt(in frame.From, in velocity, in spin, 0);
+        BallState state = Simulator.LaunchAt(in frame.From, in velocity, in spin, 0, in frame.Orientation);
         Frame = frame;
         Begin(in state, timeStep, AimContext.LongestFlight, in frame.Target, in targetVelocity);
         TakeGap(in state, state.Velocity);

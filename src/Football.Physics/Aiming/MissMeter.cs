@@ -34,7 +34,7 @@ internal sealed class MissMeter(AimContext context, Simulator simulator)
         }
 
         (_measured, _measuredVelocity, _measuredSpin, _measuredTime) = (request, velocity, spin, time);
-        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
+        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime, AimContext.OrientationOf(_simulator, request));
         double step = MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length);
 
         // On the scene's clock, the target has moved since time 0.

@@ -105,7 +105,11 @@ public sealed class Simulator
 
     /// <summary>Launches a ball at a given time. The values are already validated.</summary>
     internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
-        Start(in position, in velocity, in spin, LaunchOrientation, time);
+        LaunchAt(in position, in velocity, in spin, time, LaunchOrientation);
+
+    /// <summary>Launches a ball at a given time, with an orientation. The values are already validated.</summary>
+    internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, in Quaterniond orientation) =>
+        Start(in position, in velocity, in spin, in orientation, time);
 
     /// <summary>Launches a ball. The values are already validated.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)

@@ -9,7 +9,7 @@ internal static class AimCommand
     private const string Request = """{"aim": {"from": [0, 0.11, 0], "target": [20, 1.5, 3], "speed": 25}}""";
 
     public static Command Create(Terminal terminal) =>
-        new BatchRunner<AimResult>(fields => AimRun.Find(AimScenario.Read(fields)), AimWriter.Result, AimTable.Print)
+        new BatchRunner<AimAnswer>(fields => AimAnswer.To(AimScenario.Read(fields)), AimWriter.Result, (answer, shown) => AimTable.Print(answer.Kick, shown))
         .Of(
             new ExampleCommand(
                 "aim",

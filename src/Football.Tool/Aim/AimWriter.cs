@@ -8,12 +8,18 @@ namespace FootballPhysics.Tool.Aim;
 internal static class AimWriter
 {
     /// <summary>Returns the line of a kick.</summary>
-    public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
+    public static ReadOnlyMemory<byte> Result(string? name, AimAnswer answer) => ResultWriter.Line(json =>
     {
+        AimResult result = answer.Kick;
         json.WriteString("name", name);
         json.WriteString("status", Words.Of(result.Status));
         ResultWriter.WriteVector(json, "velocity", result.Velocity);
         ResultWriter.WriteVector(json, "spin", result.Spin);
+        if (answer.Orientation is { } turned)
+        {
+            ResultWriter.WriteRotation(json, "orientation", in turned);
+        }
+
         json.WriteNumber("miss", result.Miss);
         json.WriteFinite("throughMiss", result.WaypointMiss);
         json.WriteNumber("time", result.Time);

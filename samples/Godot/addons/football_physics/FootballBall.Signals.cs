@@ -45,6 +45,28 @@ public partial class FootballBall
     [Signal]
     public delegate void ExitZoneEventHandler(Vector3 position, Vector3 velocity, double time);
 
+    private BallEvent _impact;
+
+    /// <summary>The outputs of the last impact, for sound, haptics and looks. All are 0 before the first impact.</summary>
+    /// <remarks>The value is computed on each access; a game that does not read it pays nothing.</remarks>
+    public Impact LastImpact => _scene?.ImpactOf(in _impact) ?? default;
+
+    /// <summary>Returns the largest normal force of the last impact, in N: the loudness of a sound.</summary>
+    public double ImpactPeakForce() => LastImpact.PeakForce;
+
+    /// <summary>Returns the duration of the last impact, in s: a short one sounds bright.</summary>
+    public double ImpactContactTime() => LastImpact.ContactTime;
+
+    /// <summary>Returns the product of friction impulse and slip of the last impact, in J: the brush of a sound.</summary>
+    public double ImpactBrush()
+    {
+        Impact last = LastImpact;
+        return last.TangentialImpulse * last.SlipBefore;
+    }
+
+    /// <summary>Returns the largest compression of the ball in the last impact, in m.</summary>
+    public double ImpactCompression() => LastImpact.Compression;
+
     private void Emit(in BallEvent happened)
     {
         Vector3 position = GodotFrame.ToGodot(happened.Position);
@@ -52,6 +74,7 @@ public partial class FootballBall
         switch (happened.Kind)
         {
             case BallEventKind.Impact:
+                _impact = happened;
                 EmitSignal(
                     SignalName.Impact,
                     position,

@@ -82,13 +82,16 @@ internal sealed class FootballScene
     /// <summary>Returns the body or the goal that an event reports; null for other objects.</summary>
     public Node3D? NodeOf(in BallEvent happened) => _colliders?.Of(Stage.ColliderOf(in happened)) is { } body ? body : GoalOf(in happened);
 
+    /// <summary>Returns the outputs of an impact, for sound, haptics and looks.</summary>
+    public Impact ImpactOf(in BallEvent happened) => Stage.Game.ImpactOf(in happened);
+
     /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
     public void Push(in BallEvent happened)
     {
         if (happened.Kind == BallEventKind.Impact && _colliders?.Of(Stage.ColliderOf(in happened)) is RigidBody3D { Freeze: false } body)
         {
             Vector3d point = happened.Position - (Stage.Game.Scene.Ball.Radius * happened.Normal);
-            body.ApplyImpulse(GodotFrame.ToGodot(-happened.Impulse(Stage.Game.Scene.Ball)), GodotFrame.ToGodot(point) - body.GlobalPosition);
+            body.ApplyImpulse(GodotFrame.ToGodot(-Stage.Game.ImpactOf(in happened).Impulse), GodotFrame.ToGodot(point) - body.GlobalPosition);
         }
     }
 

@@ -5,8 +5,13 @@ namespace FootballPhysics.Unity
     /// <summary>An event of a ball, in Unity's frame.</summary>
     public readonly struct FootballEvent
     {
-        internal FootballEvent(in BallEvent happened, string surface, Vector3 impulse, FootballGoal goal, Collider collider)
+        private readonly BallEvent _happened;
+        private readonly Simulator _game;
+
+        internal FootballEvent(in BallEvent happened, Simulator game, string surface, Vector3 impulse, FootballGoal goal, Collider collider)
         {
+            _happened = happened;
+            _game = game;
             Surface = surface;
             Impulse = impulse;
             Goal = goal;
@@ -54,6 +59,10 @@ namespace FootballPhysics.Unity
 
         /// <summary>The speed relative to the other object along the normal, m/s; for example for the volume of a sound.</summary>
         public float ApproachSpeed { get; }
+
+        /// <summary>The outputs of an impact for sound, haptics and looks: peak force, contact time, compression, slip, energy. All are 0 if the event is not an impact.</summary>
+        /// <remarks>The value is computed on each access; a game that does not read it pays nothing.</remarks>
+        public Impact Outputs => _game is null ? default : _game.ImpactOf(in _happened);
 
         /// <summary>The goal of the event; null if there is none.</summary>
         public FootballGoal Goal { get; }

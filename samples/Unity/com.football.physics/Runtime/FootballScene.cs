@@ -89,8 +89,9 @@ namespace FootballPhysics.Unity
             int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
             return new FootballEvent(
                 in happened,
+                Stage.Game,
                 Stage.Game.NameOf(happened.ColliderIndex),
-                UnityFrame.ToUnity(happened.Impulse(Stage.Game.Scene.Ball)),
+                UnityFrame.ToUnity(Stage.Game.ImpactOf(in happened).Impulse),
                 goal >= 0 ? _goals[goal] : null,
                 _colliders?.Of(Stage.ColliderOf(in happened)));
         }

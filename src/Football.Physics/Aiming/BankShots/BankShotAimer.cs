@@ -80,7 +80,7 @@ public sealed class BankShotAimer
 
         // 1. From several guesses, solve the legs from contact to contact; then correct each kick for its miss. 2. If none hits, search over all directions.
         int[] things = Things(after);
-        var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
+        var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target), AimContext.OrientationOf(_simulator, request));
         _flight.Begin(request, in frame, things);
         FlyChains(request, in frame, things);
         if (!_flight.Hits)

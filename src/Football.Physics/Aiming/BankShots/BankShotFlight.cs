@@ -126,7 +126,7 @@ internal sealed class BankShotFlight : ILeastSquares
     {
         Kick kick = Kick.Of(_request, elevation, azimuth);
         kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
+        BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime, in _frame.Orientation);
         Simulations++;
         _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
         // A kick simulated with fine steps always takes precedence over one with coarse steps.

@@ -202,7 +202,8 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <returns>False if the ball does not bounce that often.</returns>
     private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
     {
-        state = (Bounces[leg] > 0 ? _grounded : _open).LaunchAt(in p, in v, in w, time);
+        Simulator simulator = Bounces[leg] > 0 ? _grounded : _open;
+        state = simulator.LaunchAt(in p, in v, in w, time, leg == 0 ? AimContext.OrientationOf(simulator, _request) : simulator.LaunchOrientation);
         _log.Clear();
         for (int i = 0; i < Bounces[leg]; i++)
         {
@@ -215,7 +216,7 @@ internal sealed class BankShotProblem : ILeastSquares
         // After its last bounce, continue the leg without ground, so that the gap changes smoothly even below the ground.
         if (Bounces[leg] > 0)
         {
-            state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
+            state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time, state.Orientation);
         }
 
         if (double.IsNaN(duration))

@@ -175,7 +175,7 @@ internal sealed class PlaneProblem(AimContext context)
     {
         KickOf(x).Vectors(Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
-        planes.Fly(in _frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, HasThrough ? _throughTime : 0, Time);
+        planes.Fly(in _frame.From, in _frame.Orientation, in velocity, in spin, isRehearsed ? _firstStep : _step, HasThrough ? _throughTime : 0, Time);
         _context.CountIteration();
         _atThrough = planes.Through;
         _atTarget = planes.Target;

@@ -60,19 +60,20 @@ internal sealed class PlaneShooter : PieceObserver, IKickObserver
 
     /// <summary>Simulates a kick until it has crossed its planes, or can no longer cross them.</summary>
     /// <param name="from">The position of the ball, in m.</param>
+    /// <param name="orientation">The orientation of the ball.</param>
     /// <param name="velocity">The velocity, in m/s.</param>
     /// <param name="spin">The spin, in rad/s.</param>
     /// <param name="longestStep">The longest step, in s.</param>
     /// <param name="throughTime">The expected time at the waypoint's plane, in s, at which a step ends; 0 if unknown.</param>
     /// <param name="targetTime">The expected time at the target's plane, in s; 0 if unknown.</param>
-    public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double longestStep, double throughTime, double targetTime)
+    public void Fly(in Vector3d from, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double longestStep, double throughTime, double targetTime)
     {
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;
 
         // Let one step end at the expected time of the first plane, and a later one at the expected time of the second.
-        BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
+        BallState state = _simulator.LaunchAt(in from, in velocity, in spin, 0, in orientation);
         _longestStep = longestStep;
         _targetTime = targetTime;
         _end = _wantsThrough ? throughTime : targetTime;

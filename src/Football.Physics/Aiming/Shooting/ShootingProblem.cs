@@ -363,7 +363,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     {
         // The logarithm keeps the speed positive, and makes steps proportional to it.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
+        return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin, _frame.Orientation);
     }
 
     /// <summary>Returns the closest approach within a step, treated as straight.</summary>
