@@ -17,6 +17,8 @@ internal static class DocPictures
         ("frame", FramePicture.Draw),
         ("spin", FlightPictures.Spin),
         ("air", FlightPictures.Air),
+        ("knuckle", BallPictures.Knuckle),
+        ("presets", BallPictures.Presets),
         ("bounce", FlightPictures.Bounce),
         ("reach", PlayPictures.Reach),
         ("fan", PlayPictures.Fan),

@@ -301,6 +301,9 @@ internal static class ContactTolerances
     /// <remarks>Above: a lighter contact is the carrier. Below: rounding chooses between equal loads.</remarks>
     public const double SameLoad = 1e-9;
 
+    /// <summary>The relative rounding of a friction impulse that is computed from velocities.</summary>
+    public const double SameFriction = 1e-9;
+
     /// <summary>The share of a friction cone that forces keep clear, of its square.</summary>
     /// <remarks>Above: friction is weaker than the law. Below: the moved force is outside by rounding.</remarks>
     public const double InsideCone = 1e-9;

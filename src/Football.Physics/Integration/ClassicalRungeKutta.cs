@@ -65,7 +65,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             if (stage == 2)
             {
                 step.Turn = h * (w + (sixth * sumB));
-                FlightRates.End(ref air, in start, step.Turn, ref step);
+                StepTurn.Take(ref air, in start, step.Turn, ref step);
             }
 
             FlightRates.At(

@@ -29,7 +29,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         EulerStep.Take(ref air, in start, ref motion, in wind, branch, upward, h, out step);
         step.Path = h * velocity;
         step.Turn = h * spinRate;
-        FlightRates.End(ref air, in start, step.Turn, ref step);
+        StepTurn.Take(ref air, in start, step.Turn, ref step);
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)

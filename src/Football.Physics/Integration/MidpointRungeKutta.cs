@@ -47,7 +47,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double mz = uz + (half * az);
         double mw = w + (half * b);
         step.Turn = h * mw;
-        FlightRates.End(ref air, in start, step.Turn, ref step);
+        StepTurn.Take(ref air, in start, step.Turn, ref step);
         FlightRates.At(
             ref air, in start, in seams, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, half * w, nx, ny, nz, mx, my, mz, mw,
             out ax, out ay, out az, out b, out s);

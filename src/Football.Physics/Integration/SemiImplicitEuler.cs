@@ -27,7 +27,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         EulerStep.Take(ref air, in start, ref motion, in wind, branch, upward, h, out step);
         step.Path = h * step.AirVelocity;
         step.Turn = h * step.SpinRate;
-        FlightRates.End(ref air, in start, step.Turn, ref step);
+        StepTurn.Take(ref air, in start, step.Turn, ref step);
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)

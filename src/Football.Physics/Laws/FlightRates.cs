@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Integration;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
@@ -112,18 +111,6 @@ internal static class FlightRates
         if (air.HasSide)
         {
             air.Begin(in start, out seams);
-        }
-    }
-
-    /// <summary>Turns the orientation to the end of a step, if a side force depends on it.</summary>
-    /// <remarks>The integrators call it before their last stage, so that the next step does not wait for it.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void End<TAir>(ref TAir air, in BallState start, double turn, ref FlightStep step)
-        where TAir : struct, IFlightLaws
-    {
-        if (air.HasSide)
-        {
-            step.Orientation = start.BaseOrientation.Turned(turn * start.Flight.Axis);
         }
     }
 

@@ -107,12 +107,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return Fall(ref s, dt, end, log);
         }
 
-        if (_air.HasSide && s.Angle != 0)
-        {
-            s.FoldRotation();
-        }
-
-        Fly(covered, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
+        FlyWhole(covered, ref s, branch, dt, out step);
         log.Evaluations += _integrator.Stages;
 
         // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump in the drag law.
@@ -129,16 +124,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         Vector3d position = s.Position;
         double time = s.Time;
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
-        if (_air.HasSide)
-        {
-            s.BaseOrientation = step.Orientation;
-            s.AirDistance += step.AirDistance;
-        }
-        else
-        {
-            s.Angle += step.Turn;
-        }
-
+        Turn(ref s, in step);
         s.Time = end;
         log.Steps++;
         if (log.IsWatched)
@@ -151,6 +137,33 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
     public void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
         Fly(_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h), in start, ref motion, in wind, branch, upward, h, out step);
+
+    /// <summary>Integrates a whole step. With a side force, it begins with an angle of 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void FlyWhole(bool covered, ref BallState s, DragBranch branch, double h, out FlightStep step)
+    {
+        if (_air.HasSide && s.Angle != 0)
+        {
+            s.FoldRotation();
+        }
+
+        Fly(covered, in s, ref s.Flight, in _wind, branch, _upward, h, out step);
+    }
+
+    /// <summary>Turns the ball to the end of a whole step.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Turn(ref BallState s, in FlightStep step)
+    {
+        if (_air.HasSide)
+        {
+            s.BaseOrientation = step.Orientation;
+            s.AirDistance += step.AirDistance;
+        }
+        else
+        {
+            s.Angle += step.Turn;
+        }
+    }
 
     /// <summary>Integrates a step with the fast form of the laws if it covers this range, otherwise with the full form.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

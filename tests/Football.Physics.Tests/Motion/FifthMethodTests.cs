@@ -96,7 +96,7 @@ public sealed class FifthMethodTests
             step.SpinRate = w + (0.5 * h * (b + c));
             step.Path = 0.5 * h * (u + next);
             step.Turn = 0.5 * h * (w + nextW);
-            FlightRates.End(ref air, in start, step.Turn, ref step);
+            StepTurn.Take(ref air, in start, step.Turn, ref step);
             motion.Velocity = step.AirVelocity + wind;
             motion.SpinRate = step.SpinRate;
         }

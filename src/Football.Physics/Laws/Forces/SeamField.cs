@@ -141,7 +141,7 @@ internal struct SeamAxes
     public Quad HighY;
     public Quad HighZ;
 
-    public SeamAxes(ReadOnlySpan<Vector3d> n)
+    public SeamAxes(Span<Vector3d> n)
     {
         LowX = new Quad(n[0].X, n[1].X, n[2].X, n[3].X);
         LowY = new Quad(n[0].Y, n[1].Y, n[2].Y, n[3].Y);
