@@ -10,6 +10,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
 {
     private readonly double _ofDrag;
     private readonly double _ofLift;
+    private readonly ReverseLift _reverse;
     private TableAir<TLaw> _air;
 
     /// <param name="scene">The scene.</param>
@@ -19,6 +20,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
     {
         ForceSet forces = scene.Forces;
         _air = new TableAir<TLaw>(scene);
+        _reverse.Prepare(scene);
         Drags = forces.Drag != ForceLaw.None;
         Lifts = forces.Magnus != ForceLaw.None;
         SpinDecays = forces.SpinDecay != ForceLaw.None;
@@ -38,6 +40,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         _air.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        lift += _reverse.Acts ? _reverse.Part(speedSquared, spinRate, acrossSquared) : 0;
         drag *= _ofDrag;
         lift *= _ofLift;
     }
@@ -46,6 +49,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         bool spins = _air.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+        lift += spins && _reverse.Acts ? _reverse.Part(speedSquared, 1.0, crossSquared) : 0;
         drag *= _ofDrag;
         lift *= _ofLift;
         return spins;

@@ -42,10 +42,11 @@ internal static class StepperFactory
                 : Of<NoAir, TIntegrator>(scene, settings, in air, default);
         }
 
-        if (scene.HasOwnForces || air.Varies || scene.IsTilted)
+        bool reverses = isMeasured && scene.Ball.ReverseLift > 0;
+        if (scene.HasOwnForces || air.Varies || scene.IsTilted || reverses)
         {
             return !isMeasured || scene.HasOwnForces ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
-                : air.Knuckle is { } knuckle && scene.Air.WindField is null && !scene.IsTilted ? WithSeams<MeasuredLaw, TIntegrator>(scene, settings, in air, knuckle)
+                : air.Knuckle is { } knuckle && scene.Air.WindField is null && !scene.IsTilted && !reverses ? WithSeams<MeasuredLaw, TIntegrator>(scene, settings, in air, knuckle)
                 : InField<MeasuredLaw, TIntegrator>(scene, settings, in air);
         }
 

@@ -12,6 +12,9 @@ internal struct ReverseLift
     /// <summary>|a| below which the quotient equals its limit to ten digits.</summary>
     private const double SmallShift = 1e-3;
 
+    /// <summary>|u|² below which there is no lift, in m²/s².</summary>
+    private const double StillAir = 1e-18;
+
     private double _scale; // ½ ρ A r Λ/m
     private double _radius;
     private double _perSpeed; // 2r/(ν Re_s), s/m
@@ -29,6 +32,13 @@ internal struct ReverseLift
         _perSpeed = 2.0 * ball.Radius / (scene.Air.KinematicViscosity * ball.DragCurve.Width);
         _critical = ball.DragCurve.CriticalReynolds / ball.DragCurve.Width;
     }
+
+    /// <summary>Returns the part of L in a = L (ω̂ × u), in 1/s; at most 0. Without spin or speed, it is 0.</summary>
+    /// <param name="speedSquared">|u|², m²/s².</param>
+    /// <param name="spinRate">|ω|, rad/s; slightly negative in a stage that overshoots zero.</param>
+    /// <param name="acrossSquared">|ω̂ × u|², m²/s².</param>
+    public readonly double Part(double speedSquared, double spinRate, double acrossSquared) =>
+        spinRate > 0 && speedSquared > StillAir ? Factor(Math.Sqrt(speedSquared), spinRate, acrossSquared) : 0;
 
     /// <summary>Returns the part of L in a = L (ω̂ × u), in 1/s; at most 0.</summary>
     /// <param name="speed">|u|, m/s; above 0.</param>

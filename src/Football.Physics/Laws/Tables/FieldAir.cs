@@ -3,19 +3,21 @@ using FootballPhysics.State;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>A smooth tabulated law in air that varies, or with gravity that is not straight down.</summary>
+/// <summary>A smooth tabulated law in air that varies, with gravity that is not straight down, or with a reverse lift.</summary>
 /// <remarks>Each stage checks the range of the tables, because the wind may change by any amount along a step.</remarks>
 /// <typeparam name="TLaw">The type of the law, which has no regions.</typeparam>
 internal struct FieldAir<TLaw> : IFlightAir
     where TLaw : struct, ITableLaw
 {
     private readonly SceneAir _scene;
+    private readonly ReverseLift _reverse;
     private TableAir<TLaw> _table;
 
     public FieldAir(Scene scene, in SceneAir air)
     {
         _scene = air;
         _table = new TableAir<TLaw>(scene);
+        _reverse.Prepare(scene);
     }
 
     public readonly bool Acts => true;
@@ -39,12 +41,17 @@ internal struct FieldAir<TLaw> : IFlightAir
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         _table.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        lift += _reverse.Acts ? _reverse.Part(speedSquared, spinRate, acrossSquared) : 0;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool FactorsPerSpin(
-        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
-        _table.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = _table.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+        lift += spins && _reverse.Acts ? _reverse.Part(speedSquared, 1.0, crossSquared) : 0;
+        return spins;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3d WindAt(double time, double x, double y, double z) => _scene.WindAt(time, x, y, z);

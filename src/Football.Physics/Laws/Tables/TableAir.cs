@@ -30,8 +30,6 @@ internal struct TableAir<TLaw> : IFlightAir
     private const double BelowFastest = 0.9375;
 
     private readonly ConstantParts _constant;
-    private readonly ReverseLift _reverse;
-    private readonly bool _changes; // a coefficient is constant, or lift can reverse
     private TLaw _law;
     private readonly FactorTable _speeds;
     private readonly FactorTable _spins;
@@ -64,8 +62,6 @@ internal struct TableAir<TLaw> : IFlightAir
         _law = default;
         _law.Prepare(scene);
         _constant.Prepare(scene);
-        _reverse.Prepare(scene);
-        _changes = _constant.Any || _reverse.Acts;
         LawTables tables = _law.Tables;
         _speeds = tables.Speeds;
         _spins = tables.Spins;
@@ -119,9 +115,9 @@ internal struct TableAir<TLaw> : IFlightAir
         _spins.Evaluate(ofSpin, out LawFactors bySpin);
         double speed = Math.Sqrt(speedSquared);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
-        if (_changes)
+        if (_constant.Any)
         {
-            Change(speed, spinRate, acrossSquared, ref drag, ref lift, ref decay);
+            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
         }
     }
 
@@ -182,25 +178,13 @@ internal struct TableAir<TLaw> : IFlightAir
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
-        if (_changes)
+        if (_constant.Any)
         {
-            Change(speed, spinRate, acrossSquared, ref drag, ref lift, ref decay);
+            _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
         }
 
         drag = moves ? drag : 0;
         lift = moves && spinRate > 0 ? lift : 0;
-    }
-
-    /// <summary>Adds the reverse lift, and replaces the factors of the forces that have constant coefficients.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Change(double speed, double spinRate, double acrossSquared, ref double drag, ref double lift, ref double decay)
-    {
-        if (_reverse.Acts)
-        {
-            lift += _reverse.Factor(speed, spinRate > 0 ? spinRate : 0, acrossSquared);
-        }
-
-        _constant.Replace(speed, spinRate, ref drag, ref lift, ref decay);
     }
 
     public Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
