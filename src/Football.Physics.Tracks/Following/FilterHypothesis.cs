@@ -1,0 +1,635 @@
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Tracks;
+
+/// <summary>The constraint of a motion at its start.</summary>
+internal enum FilterStart
+{
+    /// <summary>Position, velocity and spin are free.</summary>
+    Free = 0,
+
+    /// <summary>The ball touches the ground and has no vertical velocity.</summary>
+    Sliding = 1,
+
+    /// <summary>The ball rolls: its velocity determines its spin, except for the spin about the vertical axis.</summary>
+    Rolling = 2,
+}
+
+/// <summary>One explanation of the points: the ball moves freely since a start, which is a kick or the first point.</summary>
+/// <remarks>
+/// The parameters are position, velocity and spin at the start; after a kick, the position is relative to the path before it, and the time of the kick is the
+/// tenth. Each parameter has a ray: the motion with that parameter changed by about half its standard deviation. The differences of the rays are the derivatives
+/// of a least-squares fit, which each point updates as a Kalman filter of the parameters does. If the estimate moves away from the rays, <see cref="Fit"/>
+/// simulates them again (a Gauss–Newton step).
+/// </remarks>
+internal sealed class FilterHypothesis
+{
+    /// <summary>The number of parameters of a motion, and the largest number, with the time of a kick.</summary>
+    public const int Motion = 9;
+    public const int Most = 10;
+
+    /// <summary>The index of the time of a kick, of the upward velocity, and of the spin about the vertical axis.</summary>
+    private const int Moment = 9;
+    private const int Upward = 4;
+    private const int Twist = 7;
+
+    /// <summary>The width of a ray, in standard deviations, and its bounds for position, velocity, spin and time.</summary>
+    private const double RayWidth = 0.5;
+    private static readonly double[] LeastWidth = [1e-4, 1e-3, 0.02, 1e-5];
+    private static readonly double[] MostWidth = [0.5, 2.0, 8.0, 0.02];
+
+    /// <summary>The least change of the upward velocity of a ball on the ground, in m/s: more than <see cref="Ground.MinimumBounceSpeed"/>.</summary>
+    private const double LeastHop = 0.3;
+
+    /// <summary>The distance of the estimate from the rays, in widths, that requires a new fit.</summary>
+    private const double Far = 2;
+
+    /// <summary>The number of points from which a fit takes one iteration per update.</summary>
+    private const int Long = 48;
+
+    /// <summary>The greatest ratio of the width of a ray and that of the uncertainty.</summary>
+    private const double MostRatio = 6;
+
+    /// <summary>The greatest difference of the upward velocity between rays that move alike, in m/s.</summary>
+    private const double MostChange = 1;
+
+    private readonly FilterModel _model;
+    private readonly BallState[] _rays = new BallState[Most + 1];
+    private readonly BallState[] _from = new BallState[Most + 1];
+    private readonly Vector3d[] _places = new Vector3d[Most + 1];
+    private readonly FilterMoment _old = new();
+    private readonly double[] _widths = new double[Most];
+    private readonly bool[] _isFixed = new bool[Most];
+    private readonly double[] _leastWidths = new double[Most];
+    private readonly double[] _trialValues = new double[Most];
+    private readonly double[] _trialSpread = new double[Most * Most];
+    private readonly double[] _gain = new double[Most];
+
+    public FilterHypothesis(FilterModel model, int slot)
+    {
+        _model = model;
+        Slot = slot;
+        History = new FilterHistory();
+    }
+
+    /// <summary>The number of the hypothesis, whose bit marks the outliers.</summary>
+    public int Slot { get; }
+
+    public FilterHistory History { get; }
+
+    /// <summary>The number of parameters.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The time after which points belong to this hypothesis.</summary>
+    public double StartTime { get; private set; }
+
+    /// <summary>True if the points at the start time belong to this hypothesis too.</summary>
+    public bool IncludesStart { get; set; }
+
+    /// <summary>True if the first point is taken for a wrong one.</summary>
+    public bool SkipsFirst { get; set; }
+
+    /// <summary>The constraint of the motion at the start.</summary>
+    public FilterStart Kind { get; private set; }
+
+    /// <summary>The latest time of the kick; the start without a kick.</summary>
+    public double EndOfKick { get; private set; }
+
+    /// <summary>The logarithm of the evidence: the density of all points, relative to the other hypotheses.</summary>
+    public double Evidence { get; private set; }
+
+    /// <summary>The number of points since the start that fit.</summary>
+    public int Used { get; private set; }
+
+    /// <summary>The number of points since the start.</summary>
+    public int Points { get; private set; }
+
+    /// <summary>True if the last point did not fit.</summary>
+    public bool RejectsLast { get; private set; }
+
+    /// <summary>The number of points in a row that did not fit.</summary>
+    public int RejectedInRow { get; private set; }
+
+    /// <summary>The time of the last kick and its standard deviation; −∞ without one.</summary>
+    public double KickTime { get; private set; }
+
+    public double KickDeviation { get; private set; }
+
+    public double[] Mean { get; } = new double[Most];
+
+    public double[] Prior { get; } = new double[Most * Most];
+
+    public double[] Base { get; } = new double[Most];
+
+    public double[] Values { get; } = new double[Most];
+
+    public double[] Spread { get; } = new double[Most * Most];
+
+    public double Prefix { get; private set; }
+
+    /// <summary>The end of the last long step: the rays are there.</summary>
+    private double _strideEnd = double.NegativeInfinity;
+
+    /// <summary>True if the ball touches the ground at its start.</summary>
+    private bool _lies;
+
+    /// <summary>The state before a kick.</summary>
+    private BallState _before;
+
+    public ref readonly BallState Ray => ref _rays[0];
+
+    /// <summary>Starts without a kick. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
+    public void Start(double time, double prefix, double kickTime, double kickDeviation, FilterStart kind)
+    {
+        Kind = kind;
+        Count = Motion;
+        StartTime = time;
+        EndOfKick = time;
+        IncludesStart = false;
+        SkipsFirst = false;
+        Prefix = prefix;
+        KickTime = kickTime;
+        KickDeviation = kickDeviation;
+        Array.Copy(Mean, Values, Most);
+        Array.Copy(Prior, Spread, Prior.Length);
+    }
+
+    /// <summary>Starts with a kick between two times. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
+    public void Start(in BallState before, double end, double prefix, in Vector3d velocity, FilterStart kind)
+    {
+        Start(before.Time, prefix, 0, 0, kind);
+        Count = Most;
+        EndOfKick = end;
+        _before = before;
+        Values[3] = velocity.X;
+        Values[4] = velocity.Y;
+        Values[5] = velocity.Z;
+    }
+
+    /// <summary>Sets the motion at which the first fit starts.</summary>
+    public void Guess(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+    {
+        (Values[0], Values[1], Values[2]) = (position.X, position.Y, position.Z);
+        (Values[3], Values[4], Values[5]) = (velocity.X, velocity.Y, velocity.Z);
+        (Values[6], Values[7], Values[8]) = (spin.X, spin.Y, spin.Z);
+    }
+
+    public void Transfer(ref FilterStream stream)
+    {
+        Count = stream.Whole(Count);
+        Kind = (FilterStart)stream.Whole((int)Kind);
+        StartTime = stream.Number(StartTime);
+        EndOfKick = stream.Number(EndOfKick);
+        IncludesStart = stream.Flag(IncludesStart);
+        SkipsFirst = stream.Flag(SkipsFirst);
+        RejectsLast = stream.Flag(RejectsLast);
+        Evidence = stream.Number(Evidence);
+        Prefix = stream.Number(Prefix);
+        Used = stream.Whole(Used);
+        Points = stream.Whole(Points);
+        RejectedInRow = stream.Whole(RejectedInRow);
+        KickTime = stream.Number(KickTime);
+        KickDeviation = stream.Number(KickDeviation);
+        stream.Numbers(Mean);
+        stream.Numbers(Prior);
+        stream.Numbers(Base);
+        stream.Numbers(Values);
+        stream.Numbers(Spread);
+        stream.Numbers(_widths);
+        stream.Numbers(_leastWidths);
+        stream.Flag(ref _lies);
+        stream.Plain<bool>(_isFixed);
+        stream.Plain<BallState>(_rays);
+        Span<BallState> before = [_before];
+        stream.Plain(before);
+        _before = before[0];
+        History.Transfer(ref stream);
+    }
+
+    /// <summary>Fits the motion to the points since the start.</summary>
+    public void Fit(FilterPoints points, int iterations)
+    {
+        for (int i = 0; i < iterations; i++)
+        {
+            Linearize();
+            Array.Copy(Mean, Values, Most);
+            Array.Copy(Prior, Spread, Prior.Length);
+            Evidence = Prefix;
+            Used = 0;
+            Points = 0;
+            RejectedInRow = 0;
+            History.Clear();
+            int first = IncludesStart ? points.From(StartTime) : points.After(StartTime);
+            int k = first;
+            while (k < points.Count)
+            {
+                // The history needs the motion at each point; before it, positions between long steps suffice.
+                int end = Stride(points, k);
+                for (; k < end; k++)
+                {
+                    Points++;
+                    Include(ref points[k], first == points.Count - 1);
+                }
+            }
+
+            _strideEnd = double.NegativeInfinity;
+            if (!IsFar(1))
+            {
+                break;
+            }
+        }
+
+        SetKick();
+    }
+
+    /// <summary>Includes the next point.</summary>
+    public void Add(FilterPoints points)
+    {
+        Points++;
+        Include(ref points[points.Count - 1], false);
+        if (IsFar(Far) && _model.MayFit(Points))
+        {
+            Fit(points, Points > Long ? 1 : 2);
+        }
+        else
+        {
+            SetKick();
+        }
+    }
+
+    /// <summary>Returns the estimated motion at the time of the rays: position, velocity and spin.</summary>
+    public void Estimate(Span<double> motion)
+    {
+        FilterMoment last = History.Last;
+        if (!last.IsSmooth)
+        {
+            // Between rays before and after an impact there is no linear motion.
+            Array.Copy(Values, _trialValues, Most);
+            _trialValues[Twist] = Bounded(Twist);
+            _trialValues[Upward] = Bounded(Upward);
+            _trialValues[Moment] = Bounded(Moment);
+            BallState state = Launch(_trialValues, 0, 0);
+            _model.Run(ref state, last.Time);
+            Read(in state, motion);
+            return;
+        }
+
+        ReadOnlySpan<double> jacobian = last.Jacobian;
+        Read(in _rays[0], motion);
+        for (int i = 0; i < Motion; i++)
+        {
+            for (int j = 0; j < Count; j++)
+            {
+                motion[i] += jacobian[(i * Most) + j] * (Values[j] - Base[j]);
+            }
+        }
+    }
+
+    private static void Read(in BallState state, Span<double> motion)
+    {
+        (motion[0], motion[1], motion[2]) = (state.Position.X, state.Position.Y, state.Position.Z);
+        (motion[3], motion[4], motion[5]) = (state.Velocity.X, state.Velocity.Y, state.Velocity.Z);
+        Vector3d spin = state.Spin;
+        (motion[6], motion[7], motion[8]) = (spin.X, spin.Y, spin.Z);
+    }
+
+    /// <summary>Starts the rays at the estimate.</summary>
+    private void Linearize()
+    {
+        Array.Copy(Values, Base, Most);
+        Base[Twist] = Bounded(Twist);
+        if (Count == Most)
+        {
+            Base[Moment] = Bounded(Moment);
+        }
+
+        // A ball on the ground does not move into it, and its height is that of the ground.
+        BallState start = Launch(Base, 0, 0);
+        _lies = Kind == FilterStart.Free && _model.Touches(start.Position.Y);
+        if (_lies && Base[Upward] < 0)
+        {
+            Base[Upward] = 0;
+            start = Launch(Base, 0, 0);
+        }
+
+        _rays[0] = start;
+        for (int j = 0; j < Count; j++)
+        {
+            double width = Width(j);
+            _leastWidths[j] = 0;
+            _isFixed[j] = Prior[(j * Most) + j] == 0;
+            if (_isFixed[j])
+            {
+                _widths[j] = width;
+                continue;
+            }
+
+            if (j == Upward && _lies && Base[Upward] < LeastHop)
+            {
+                width = Math.Max(LeastHop, width);
+                _leastWidths[j] = width;
+            }
+            else if (j == Moment)
+            {
+                // The ray stays between the two points.
+                width = Math.Min(width, 0.4 * (EndOfKick - StartTime));
+                width = Base[Moment] > 0.5 * (StartTime + EndOfKick) ? -width : width;
+            }
+
+            _widths[j] = width;
+            _rays[j + 1] = Launch(Base, j, width);
+        }
+    }
+
+    private BallState Launch(double[] p, int changed, double width)
+    {
+        double keep = p[changed];
+        p[changed] += width;
+        var position = new Vector3d(p[0], p[1], p[2]);
+        double time = StartTime;
+        if (Count == Most)
+        {
+            BallState before = _before;
+            time = p[Moment];
+            _model.Run(ref before, time);
+            position += before.Position;
+        }
+
+        var velocity = new Vector3d(p[3], p[4], p[5]);
+        var spin = new Vector3d(p[6], p[7], p[8]);
+        BallState start = Kind == FilterStart.Free ? _model.Launch(in position, in velocity, in spin, time) : _model.LaunchOnGround(in position, in velocity, in spin, time, Kind);
+        p[changed] = keep;
+        return start;
+    }
+
+    /// <summary>Moves the rays to a point and updates the estimate.</summary>
+    private void Include(ref FilterPoint point, bool isOnly)
+    {
+        bool isOld = point.Time <= _strideEnd;
+        for (int j = 0; j <= Count; j++)
+        {
+            if (j > 0 && _isFixed[j - 1])
+            {
+                _places[j] = _places[0];
+                continue;
+            }
+
+            if (!isOld)
+            {
+                _model.Run(ref _rays[j], point.Time);
+            }
+
+            _places[j] = isOld ? Between(in _from[j], in _rays[j], point.Time) : _rays[j].Position;
+        }
+
+        FilterMoment moment = isOld ? _old : History.Push();
+        Observe(in point, moment);
+
+        // 1. Update by one coordinate after the other, on a copy. 2. Keep the copy unless a wrong point is more likely.
+        Array.Copy(Values, _trialValues, Most);
+        Array.Copy(Spread, _trialSpread, Spread.Length);
+        double variance = point.Deviation * point.Deviation;
+        double squares = 0;
+        double ratio = 1;
+        for (int row = 0; row < point.Rows; row++)
+        {
+            Correct(moment.Rows.AsSpan(row * Most, Most), moment.Residual[row], variance, ref squares, ref ratio);
+        }
+
+        double right = -0.5 * (squares + Elementary.Log(ratio));
+        double wrong = _model.LogOutlier + FilterModel.LogOutlierDensity(in point);
+
+        // A start without a path before it is at its first point. A kick that one point shows explains that point.
+        RejectsLast = (SkipsFirst && Points == 1) || (!(right > wrong) && !(Used == 0 && (IncludesStart || isOnly)));
+        if (RejectsLast)
+        {
+            point.Outliers |= 1 << Slot;
+            Evidence += wrong;
+            RejectedInRow++;
+        }
+        else
+        {
+            point.Outliers &= ~(1 << Slot);
+            Evidence += right;
+            RejectedInRow = 0;
+            Used++;
+            Array.Copy(_trialValues, Values, Most);
+            Array.Copy(_trialSpread, Spread, Spread.Length);
+        }
+
+        if (isOld)
+        {
+            return;
+        }
+
+        Differentiate(moment.Jacobian);
+        moment.Time = point.Time;
+        moment.IsSmooth = IsSmooth();
+        moment.Rolls = Rolls();
+        moment.Deviation = point.Deviation;
+        moment.Coordinates = RejectsLast ? 0 : point.Rows;
+        moment.Evidence = Evidence;
+        Estimate(moment.Motion);
+        Array.Copy(Spread, moment.Spread, Spread.Length);
+    }
+
+    /// <summary>Moves the rays over several points that are older than the history, if no ray has an event on the way.</summary>
+    /// <returns>The index after the last point that <see cref="Include"/> may now read.</returns>
+    private int Stride(FilterPoints points, int first)
+    {
+        int end = first;
+        double from = _rays[0].Time;
+        while (end < points.Count - FilterHistory.Room && points[end].Time - from <= FilterModel.LongestStep && points[end].Time > from)
+        {
+            end++;
+        }
+
+        _strideEnd = double.NegativeInfinity;
+        if (end < first + 2 || Count == Most && from < EndOfKick)
+        {
+            return first + 1;
+        }
+
+        double last = points[end - 1].Time;
+        Array.Copy(_rays, _from, Count + 1);
+        for (int j = 0; j <= Count; j++)
+        {
+            if (!(j > 0 && _isFixed[j - 1]) && !_model.RunSmoothly(ref _rays[j], last))
+            {
+                Array.Copy(_from, _rays, Count + 1);
+                return first + 1;
+            }
+        }
+
+        _strideEnd = last;
+        return end;
+    }
+
+    /// <summary>Returns the position between two states of a smooth motion, by a cubic.</summary>
+    private static Vector3d Between(in BallState from, in BallState to, double time)
+    {
+        double span = to.Time - from.Time;
+        double s = (time - from.Time) / span;
+        double r = 1 - s;
+        return (r * r * (1 + (2 * s)) * from.Position) + (s * s * (1 + (2 * r)) * to.Position) + (span * s * r * ((r * from.Velocity) - (s * to.Velocity)));
+    }
+
+    /// <summary>True if all rays move alike: none is before an impact that another one is after.</summary>
+    private bool IsSmooth()
+    {
+        for (int j = 1; j <= Count; j++)
+        {
+            if (_isFixed[j - 1])
+            {
+                continue;
+            }
+
+            if (_rays[j].Motion != _rays[0].Motion || Math.Abs(_rays[j].Velocity.Y - _rays[0].Velocity.Y) > MostChange)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>True if all rays roll or rest.</summary>
+    private bool Rolls()
+    {
+        for (int j = 0; j <= Count; j++)
+        {
+            if (!(j > 0 && _isFixed[j - 1]) && _rays[j].Motion is not (MotionState.Rolling or MotionState.Rest))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Computes the derivatives of the motion, from the differences of the rays.</summary>
+    private void Differentiate(double[] jacobian)
+    {
+        Span<double> motion = stackalloc double[Motion];
+        Span<double> ray = stackalloc double[Motion];
+        Read(in _rays[0], motion);
+        for (int j = 0; j < Count; j++)
+        {
+            Read(in _rays[_isFixed[j] ? 0 : j + 1], ray);
+            double inverse = 1 / _widths[j];
+            for (int i = 0; i < Motion; i++)
+            {
+                jacobian[(i * Most) + j] = inverse * (ray[i] - motion[i]);
+            }
+        }
+    }
+
+    /// <summary>Computes the residual of a point at the base, its derivatives with respect to the parameters, and those with respect to the position.</summary>
+    private void Observe(in FilterPoint point, FilterMoment moment)
+    {
+        Vector3d expected = point.Of(_places[0]);
+        Vector3d residual = point.Measured - expected;
+        for (int row = 0; row < point.Rows; row++)
+        {
+            moment.Residual[row] = residual.Along(row);
+        }
+
+        for (int j = 0; j < Count; j++)
+        {
+            Vector3d change = (point.Of(_places[j + 1]) - expected) / _widths[j];
+            for (int row = 0; row < point.Rows; row++)
+            {
+                moment.Rows[(row * Most) + j] = change.Along(row);
+            }
+        }
+
+        const double Step = 1e-3;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            Vector3d change = (point.Of(_places[0] + (Step * Vector3d.Axis(axis))) - expected) / Step;
+            for (int row = 0; row < point.Rows; row++)
+            {
+                moment.ByPosition[(row * 3) + axis] = change.Along(row);
+            }
+        }
+    }
+
+    private void Correct(ReadOnlySpan<double> row, double residual, double variance, ref double squares, ref double ratio)
+    {
+        int n = Count;
+        double sum = variance;
+        for (int i = 0; i < n; i++)
+        {
+            double value = 0;
+            for (int j = 0; j < n; j++)
+            {
+                value += _trialSpread[(i * Most) + j] * row[j];
+            }
+
+            _gain[i] = value;
+            sum += row[i] * value;
+            residual -= row[i] * (_trialValues[i] - Base[i]);
+        }
+
+        sum = Math.Max(sum, variance);
+        double inverse = 1 / sum;
+        squares += residual * residual * inverse;
+        ratio *= sum / variance;
+        for (int i = 0; i < n; i++)
+        {
+            double gain = inverse * _gain[i];
+            _trialValues[i] += gain * residual;
+            for (int j = 0; j < n; j++)
+            {
+                _trialSpread[(i * Most) + j] -= gain * _gain[j];
+            }
+        }
+    }
+
+    /// <summary>True if the estimate is this many widths from the rays, or the rays are much wider than the uncertainty.</summary>
+    private bool IsFar(double most)
+    {
+        for (int j = 0; j < Count; j++)
+        {
+            double width = Math.Max(Width(j), _leastWidths[j]);
+            if (!_isFixed[j] && !(Math.Abs(Bounded(j) - Base[j]) <= most * width) || (!_isFixed[j] && Math.Abs(_widths[j]) > MostRatio * width))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Returns an estimated parameter, within its bounds: the time of a kick, and the upward velocity of a ball on the ground.</summary>
+    private double Bounded(int parameter)
+    {
+        double value = Values[parameter];
+        if (parameter == Moment)
+        {
+            double margin = 1e-3 * (EndOfKick - StartTime);
+            return Math.Min(EndOfKick - margin, Math.Max(StartTime + margin, value));
+        }
+
+        // A rolling ball that hardly spins about the vertical axis soon stops doing so, at a high cost.
+        bool isSmall = parameter == Twist && Kind == FilterStart.Rolling && Math.Abs(value) < FilterModel.LeastTwist;
+        return isSmall ? 0 : parameter == Upward && _lies ? Math.Max(0, value) : value;
+    }
+
+    /// <summary>Returns the width of a ray that suits the uncertainty of the estimate.</summary>
+    private double Width(int parameter)
+    {
+        int kind = parameter / 3;
+        double width = RayWidth * Math.Sqrt(Math.Max(0, Spread[(parameter * Most) + parameter]));
+        return Math.Min(MostWidth[kind], Math.Max(LeastWidth[kind], width));
+    }
+
+    private void SetKick()
+    {
+        if (Count == Most)
+        {
+            KickTime = Math.Min(EndOfKick, Math.Max(StartTime, Values[Moment]));
+            KickDeviation = Math.Sqrt(Math.Max(0, Spread[(Moment * Most) + Moment]));
+        }
+    }
+}

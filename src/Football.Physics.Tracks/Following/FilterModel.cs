@@ -1,0 +1,115 @@
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Tracks;
+
+/// <summary>The laws and the priors that all hypotheses of a filter share.</summary>
+internal sealed class FilterModel
+{
+    /// <summary>The least spin about the vertical axis of a ball that starts rolling, in rad/s; the end of a smaller one is soon, and costly to find.</summary>
+    public const double LeastTwist = 0.5;
+
+    /// <summary>The longest step of the simulation between two points, in s.</summary>
+    public const double LongestStep = 0.05;
+
+    /// <summary>The volume of positions, in m³, and the area of pixels that a wrong point may have; each value is equally likely.</summary>
+    private const double OutlierLength = 10;
+    private const double OutlierPixels = 500;
+
+    /// <summary>The speed and the spin that a search does not exceed, in m/s and rad/s.</summary>
+    private const double MostSpeed = 300;
+    private const double MostSpin = 1000;
+
+    /// <summary>A ball this close above the ground touches it, in m.</summary>
+    private const double Touch = 2e-3;
+
+    private const double LogTwoPi = 1.8378770664093453;
+
+    /// <summary>The number of points of all fits of one update.</summary>
+    private const int MostFitted = 100;
+
+    private readonly StepLog _log = new();
+    private int _left;
+
+    public FilterModel(Simulator simulator, BallFilterSettings settings)
+    {
+        Simulator = simulator;
+        Settings = settings;
+        LogOutlier = Elementary.Log(settings.OutlierShare / (1 - settings.OutlierShare));
+    }
+
+    public Simulator Simulator { get; }
+
+    public BallFilterSettings Settings { get; }
+
+    /// <summary>The logarithm of the odds of a wrong point.</summary>
+    public double LogOutlier { get; }
+
+    /// <summary>The number of simulated steps, for measuring.</summary>
+    public long Steps { get; set; }
+
+    /// <summary>Returns the log density of a wrong point, relative to the greatest density of a right one.</summary>
+    public static double LogOutlierDensity(in FilterPoint point) =>
+        point.Rows * (Elementary.Log(point.Deviation / (point.Kind == FilterPointKind.Pixel ? OutlierPixels : OutlierLength)) + (0.5 * LogTwoPi));
+
+    /// <summary>Simulates a ball to a time.</summary>
+    public void Run(ref BallState state, double time)
+    {
+        double left = time - state.Time;
+        if (left > 0)
+        {
+            _log.Clear();
+            Simulator.RunChecked(ref state, LongestStep, left, StopAt.Time, _log, null);
+            Steps += _log.Steps;
+        }
+    }
+
+    /// <summary>Simulates a ball to a time.</summary>
+    /// <returns>False if there was an event.</returns>
+    public bool RunSmoothly(ref BallState state, double time)
+    {
+        MotionState motion = state.Motion;
+        Run(ref state, time);
+        return _log.Events.Count == 0 && state.Motion == motion;
+    }
+
+    /// <summary>Allows the fits of one update, up to a number of points.</summary>
+    public void Allow() => _left = MostFitted;
+
+    /// <summary>Returns false if the fits of this update already took too long. The next update then does it.</summary>
+    public bool MayFit(int points)
+    {
+        bool may = _left > 0;
+        _left -= points;
+        return may;
+    }
+
+    /// <summary>Launches a ball at parameters of a search, which may exceed the limits of a ball.</summary>
+    public BallState Launch(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) => Simulator.LaunchAt(
+        in position, velocity * Math.Min(1, MostSpeed / velocity.Length), spin * Math.Min(1, MostSpin / spin.Length), time);
+
+    /// <summary>Launches a ball at an estimated motion: position, velocity and spin.</summary>
+    public BallState Launch(ReadOnlySpan<double> motion, double time, bool rolls)
+    {
+        var position = new Vector3d(motion[0], motion[1], motion[2]);
+        var velocity = new Vector3d(motion[3], motion[4], motion[5]);
+        var spin = new Vector3d(motion[6], motion[7], motion[8]);
+
+        // Errors of rounding would make a rolling ball slide first.
+        bool twists = Math.Abs(spin.Y) >= LeastTwist;
+        return rolls && Touches(position.Y)
+            ? LaunchOnGround(in position, in velocity, twists ? spin : Vector3d.Zero, time, FilterStart.Rolling)
+            : Launch(in position, in velocity, in spin, time);
+    }
+
+    /// <summary>Launches a ball on the ground.</summary>
+    public BallState LaunchOnGround(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, FilterStart kind)
+    {
+        double height = Simulator.ContactHeight;
+        double radius = Simulator.Scene.Ball.Radius;
+        Vector3d turn = kind == FilterStart.Rolling ? new Vector3d(velocity.Z / radius, spin.Y, -velocity.X / radius) : spin;
+        return Launch(new Vector3d(position.X, height, position.Z), velocity.Horizontal, in turn, time);
+    }
+
+    /// <summary>True if a ball at this height lies on level ground.</summary>
+    public bool Touches(double height) => height < Simulator.ContactHeight + Touch;
+}

@@ -1,0 +1,474 @@
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Tracks;
+
+/// <summary>The hypotheses of a filter: adds, weighs and drops them.</summary>
+internal sealed class FilterSearch
+{
+    /// <summary>The number of hypotheses that are kept, and the number of slots: one more receives a candidate.</summary>
+    public const int Kept = 7;
+    public const int Slots = Kept + 1;
+
+    /// <summary>A hypothesis whose evidence, a logarithm, is this much below that of the best is dropped.</summary>
+    private const double Improbable = 10;
+
+    /// <summary>The estimated gain of a kick, a logarithm, from which it is fitted; below 0, because the estimate is rough.</summary>
+    private const double LeastGain = -3;
+
+    /// <summary>The number of rejected points in a row after which the filter also tries a new start, and the log probability of one.</summary>
+    private const int RejectedForStart = 4;
+    private const int StartAgo = 3;
+    private const double LogStart = -12;
+
+    /// <summary>The standard deviation of the position at a start, in m: by a position, and by a pixel.</summary>
+    private const double StartDeviation = 10;
+    private const double PixelStartDeviation = 30;
+
+    /// <summary>The index of the moment at which older points are condensed.</summary>
+    private const int Condensed = FilterHistory.Room / 2;
+
+    /// <summary>The number of iterations of a first fit.</summary>
+    private const int Iterations = 4;
+
+    /// <summary>The number of iterations before a kick is sought.</summary>
+    private const int Again = 2;
+
+    /// <summary>The number of points after a start in which a kick is not sought: the motion of the start is still unknown.</summary>
+    private const int Fresh = 4;
+
+    /// <summary>The least standard deviations of a condensed start, for position, velocity and spin.</summary>
+    private static readonly double[] Floor = [3e-4, 2e-3, 0.05];
+
+    private readonly FilterModel _model;
+    private readonly FilterPoints _points;
+    private readonly FilterHypothesis[] _slots = new FilterHypothesis[Slots];
+    private readonly FilterGain _gain = new();
+    private readonly double[] _slopes = new double[FilterHistory.Room];
+    private readonly double[] _covariance = new double[FilterHypothesis.Motion * FilterHypothesis.Motion];
+
+    public FilterSearch(FilterModel model, FilterPoints points)
+    {
+        _model = model;
+        _points = points;
+        for (int i = 0; i < Slots; i++)
+        {
+            _slots[i] = new FilterHypothesis(model, i);
+        }
+    }
+
+    public int Count { get; private set; }
+
+    public FilterHypothesis this[int index] => _slots[index];
+
+    /// <summary>The hypothesis with the greatest evidence.</summary>
+    public FilterHypothesis Best
+    {
+        get
+        {
+            int best = 0;
+            for (int i = 1; i < Count; i++)
+            {
+                best = _slots[i].Evidence > _slots[best].Evidence ? i : best;
+            }
+
+            return _slots[best];
+        }
+    }
+
+    /// <summary>Starts with the first point.</summary>
+    public void Begin(in Vector3d guess)
+    {
+        Count = 0;
+        StartAt(in _points[_points.Count - 1], in guess, 0);
+    }
+
+    /// <summary>The share of starts and of kicks from the ground in which the ball stays on the ground, as a logarithm.</summary>
+    private static readonly double LogOnGround = Elementary.Log(0.4);
+
+    /// <summary>Includes the last point.</summary>
+    public void Add()
+    {
+        _model.Allow();
+        FilterHypothesis best = Best;
+        best.Add(_points);
+        for (int i = 0; i < Count; i++)
+        {
+            if (_slots[i] != best)
+            {
+                _slots[i].Add(_points);
+            }
+        }
+
+        Drop();
+        Branch(Best);
+        Drop();
+    }
+
+    /// <summary>Includes a late point.</summary>
+    public void Insert(double time)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            if (_slots[i].StartTime < time)
+            {
+                _slots[i].Fit(_points, 1);
+            }
+        }
+
+        Drop();
+    }
+
+    /// <summary>Condenses the points before the history of hypotheses that are older than a time.</summary>
+    public void Condense(double time)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            FilterHypothesis old = _slots[i];
+            bool isFull = old.History.Count == FilterHistory.Room;
+
+            // A rolling ball has fewer parameters, and its motion no longer depends on how it came to roll.
+            if (isFull && (old.StartTime < time || (old.Kind != FilterStart.Rolling && old.History[0].Rolls && old.History[Condensed].Rolls)))
+            {
+                Condense(old);
+            }
+        }
+    }
+
+    /// <summary>The earliest start of a hypothesis.</summary>
+    public double EarliestStart
+    {
+        get
+        {
+            double time = double.PositiveInfinity;
+            for (int i = 0; i < Count; i++)
+            {
+                time = Math.Min(time, _slots[i].StartTime);
+            }
+
+            return time;
+        }
+    }
+
+    public void Transfer(ref FilterStream stream)
+    {
+        Count = stream.Whole(Count);
+        for (int i = 0; i < Slots; i++)
+        {
+            // The slots keep their order: it decides between equal evidence.
+            int slot = stream.Whole(_slots[i].Slot);
+            int at = Array.FindIndex(_slots, hypothesis => hypothesis.Slot == slot);
+            (_slots[i], _slots[at]) = (_slots[at], _slots[i]);
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            _slots[i].Transfer(ref stream);
+        }
+    }
+
+    private void Condense(FilterHypothesis old)
+    {
+        // Start at a moment of the middle of the history: earlier estimates are less certain, and later ones leave no points to find a kick in.
+        FilterHistory history = old.History;
+        int at = Condensed;
+        while (at >= 0 && !(history[at].IsSmooth && history[at + 1].Time > history[at].Time && history[at].Coordinates > 0))
+        {
+            at--;
+        }
+
+        if (at < 0)
+        {
+            return;
+        }
+
+        FilterMoment moment = history[at];
+        FilterMath.Covariance(moment, old.Count, _covariance);
+        Array.Clear(old.Prior, 0, old.Prior.Length);
+        for (int i = 0; i < FilterHypothesis.Motion; i++)
+        {
+            old.Mean[i] = moment.Motion[i];
+            for (int j = 0; j < FilterHypothesis.Motion; j++)
+            {
+                old.Prior[(i * FilterHypothesis.Most) + j] = _covariance[(i * FilterHypothesis.Motion) + j];
+            }
+
+            old.Prior[(i * FilterHypothesis.Most) + i] += Floor[i / 3] * Floor[i / 3];
+        }
+
+        FilterStart kind = moment.Rolls ? FilterStart.Rolling : FilterStart.Free;
+        Constrain(old, kind);
+        old.Start(moment.Time, moment.Evidence, old.KickTime, old.KickDeviation, kind);
+        old.Fit(_points, 1);
+    }
+
+    /// <summary>Adds the kicks that may explain the last points.</summary>
+    private void Branch(FilterHypothesis best)
+    {
+        FilterHistory history = best.History;
+        int last = history.Count - 1;
+        if (best.RejectsLast)
+        {
+            for (int at = last; at > Math.Max(best.IncludesStart ? Fresh : 0, last - 3); at--)
+            {
+                Kick(best, at);
+            }
+
+            if (best.RejectedInRow >= RejectedForStart)
+            {
+                FilterMoment first = history[Math.Max(0, last - StartAgo)];
+                int point = _points.After(first.Time);
+                if (_points[point].Kind == FilterPointKind.Position)
+                {
+                    StartAt(in _points[point], _points[point].Value, first.Evidence + LogStart);
+                }
+            }
+        }
+
+        int likely = _gain.Find(best, _model.Settings, LeastGain);
+        if (likely > 0 && _model.MayFit(best.Points))
+        {
+            // A fit that has not converged looks like a kick.
+            best.Fit(_points, Again);
+            likely = _gain.Find(best, _model.Settings, LeastGain);
+        }
+
+        if (likely > 0)
+        {
+            Kick(best, likely);
+        }
+    }
+
+    /// <summary>Adds a kick just before a moment of a hypothesis.</summary>
+    private void Kick(FilterHypothesis best, int at)
+    {
+        FilterMoment before = best.History[at - 1];
+        double end = best.History[at].Time;
+        double span = end - before.Time;
+        if (!(span > 0))
+        {
+            return;
+        }
+
+        BallState state = _model.Launch(before.Motion, before.Time, before.Rolls);
+        BallState middle = state;
+        _model.Run(ref middle, before.Time + (0.5 * span));
+        Vector3d velocity = Velocity(in middle, best, at);
+        double prefix = before.Evidence + Elementary.Log(Math.Min(0.5, _model.Settings.KicksPerSecond * span));
+        bool lies = _model.Touches(middle.Position.Y);
+        for (FilterStart kind = FilterStart.Free; kind <= (lies ? FilterStart.Sliding : FilterStart.Free); kind++)
+        {
+            if (IsNew(before.Time, kind, false))
+            {
+                bool fits = Try(false);
+
+                // The first point after the kick may be a wrong one.
+                if (!fits && at < best.History.Count - 1 && IsNew(before.Time, kind, true))
+                {
+                    Try(true);
+                }
+            }
+
+            bool Try(bool skipsFirst)
+            {
+                FilterHypothesis kick = _slots[Count];
+                SetKickPrior(kick, before, best.Count, span);
+                Constrain(kick, kind);
+                kick.Start(in state, end, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), in velocity, kind);
+                kick.SkipsFirst = skipsFirst;
+                kick.Fit(_points, Iterations);
+                Keep();
+                return !kick.RejectsLast;
+            }
+        }
+    }
+
+    /// <summary>Removes the parameters that a start on the ground does not have.</summary>
+    private static void Constrain(FilterHypothesis start, FilterStart kind)
+    {
+        if (kind != FilterStart.Free)
+        {
+            Fix(start, 1);
+            Fix(start, 4);
+        }
+
+        if (kind == FilterStart.Rolling)
+        {
+            Fix(start, 6);
+            Fix(start, 8);
+        }
+    }
+
+    private static void Fix(FilterHypothesis start, int parameter)
+    {
+        start.Mean[parameter] = 0;
+        for (int i = 0; i < FilterHypothesis.Most; i++)
+        {
+            start.Prior[(i * FilterHypothesis.Most) + parameter] = 0;
+            start.Prior[(parameter * FilterHypothesis.Most) + i] = 0;
+        }
+    }
+
+    /// <summary>True if there is no such kick yet; removes one that does not explain the last point.</summary>
+    private bool IsNew(double time, FilterStart kind, bool skipsFirst)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            FilterHypothesis other = _slots[i];
+            if (other.Count == FilterHypothesis.Most && other.StartTime.Equals(time) && other.Kind == kind && other.SkipsFirst == skipsFirst)
+            {
+                if (!other.RejectsLast || other.Used > 1 || Count == 1)
+                {
+                    return false;
+                }
+
+                Remove(i);
+                return true;
+            }
+        }
+
+        return true;
+    }
+
+    private void SetKickPrior(FilterHypothesis kick, FilterMoment before, int count, double span)
+    {
+        // The position of the path at the middle of the interval: P + T (Ppv + Pvp) + T² Pvv.
+        double half = 0.5 * span;
+        FilterMath.Covariance(before, count, _covariance);
+        Array.Clear(kick.Prior, 0, kick.Prior.Length);
+        Array.Clear(kick.Mean, 0, kick.Mean.Length);
+        for (int i = 0; i < 3; i++)
+        {
+            for (int j = 0; j < 3; j++)
+            {
+                kick.Prior[(i * FilterHypothesis.Most) + j] = Part(i, j) + (half * (Part(i, j + 3) + Part(i + 3, j))) + (half * half * Part(i + 3, j + 3));
+            }
+
+            kick.Prior[(i * FilterHypothesis.Most) + i] += Floor[0] * Floor[0];
+        }
+
+        SetMotionPrior(kick);
+        kick.Mean[9] = before.Time + half;
+        kick.Prior[(9 * FilterHypothesis.Most) + 9] = span * span / 12;
+
+        double Part(int i, int j) => _covariance[(i * FilterHypothesis.Motion) + j];
+    }
+
+    private void SetMotionPrior(FilterHypothesis start)
+    {
+        BallFilterSettings settings = _model.Settings;
+        for (int i = 3; i < FilterHypothesis.Motion; i++)
+        {
+            double deviation = i < 6 ? settings.KickVelocity : settings.KickSpin;
+            start.Prior[(i * FilterHypothesis.Most) + i] = deviation * deviation;
+        }
+    }
+
+    /// <summary>Guesses the velocity after a kick: the median of the slopes to the points since then, corrected for gravity.</summary>
+    private Vector3d Velocity(in BallState from, FilterHypothesis best, int at)
+    {
+        int first = _points.After(best.History[at - 1].Time);
+        int count = Math.Min(_slopes.Length, _points.Count - first);
+        if (count == 0)
+        {
+            return from.Velocity;
+        }
+
+        for (int i = first; i < first + count; i++)
+        {
+            if (_points[i].Kind != FilterPointKind.Position)
+            {
+                return from.Velocity + _gain.Change;
+            }
+        }
+
+        double fall = 0.5 * _model.Simulator.Scene.Gravity;
+        Span<double> slope = stackalloc double[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            // Of two slopes, the last is the more accurate one.
+            int used = Math.Min(count, count < 3 ? 1 : count);
+            for (int i = 0; i < used; i++)
+            {
+                ref FilterPoint point = ref _points[first + count - 1 - i];
+                double time = point.Time - from.Time;
+                _slopes[i] = ((point.Value.Along(axis) - from.Position.Along(axis)) / time) + (axis == 1 ? fall * time : 0);
+            }
+
+            Array.Sort(_slopes, 0, used);
+            slope[axis] = used % 2 == 1 ? _slopes[used / 2] : 0.5 * (_slopes[used / 2] + _slopes[(used / 2) - 1]);
+        }
+
+        return new Vector3d(slope[0], slope[1], slope[2]);
+    }
+
+    /// <summary>Adds a start at a point, without a path before it.</summary>
+    private void StartAt(in FilterPoint point, in Vector3d guess, double prefix)
+    {
+        // Rolling, in the air, or sliding.
+        bool mayLie = _model.Touches(guess.Y - (4 * point.Deviation)) || point.Kind != FilterPointKind.Position;
+        for (FilterStart kind = FilterStart.Free; kind <= (mayLie ? FilterStart.Rolling : FilterStart.Free); kind++)
+        {
+            if (kind == FilterStart.Sliding)
+            {
+                continue;
+            }
+
+            FilterHypothesis start = _slots[Count];
+            Array.Clear(start.Prior, 0, start.Prior.Length);
+            Array.Clear(start.Mean, 0, start.Mean.Length);
+            double deviation = point.Kind == FilterPointKind.Pixel ? PixelStartDeviation : StartDeviation;
+            for (int i = 0; i < 3; i++)
+            {
+                start.Mean[i] = guess.Along(i);
+                start.Prior[(i * FilterHypothesis.Most) + i] = deviation * deviation;
+            }
+
+            SetMotionPrior(start);
+            Constrain(start, kind);
+            start.Start(point.Time, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), double.NegativeInfinity, 0, kind);
+            start.IncludesStart = true;
+            start.Fit(_points, Iterations);
+            Keep();
+        }
+    }
+
+    /// <summary>Keeps the candidate of the last slot if it is probable; if there is no room, in exchange for the least probable one.</summary>
+    private void Keep()
+    {
+        FilterHypothesis candidate = _slots[Count];
+        if (!double.IsFinite(candidate.Evidence) || (Count > 0 && candidate.Evidence < Best.Evidence - Improbable))
+        {
+            return;
+        }
+
+        Count++;
+        if (Count > Kept)
+        {
+            int worst = 0;
+            for (int i = 1; i < Count; i++)
+            {
+                worst = _slots[i].Evidence < _slots[worst].Evidence ? i : worst;
+            }
+
+            Remove(worst);
+        }
+    }
+
+    private void Drop()
+    {
+        double least = Best.Evidence - Improbable;
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            if (!(_slots[i].Evidence >= least) && Count > 1)
+            {
+                Remove(i);
+            }
+        }
+    }
+
+    private void Remove(int index)
+    {
+        Count--;
+        (_slots[index], _slots[Count]) = (_slots[Count], _slots[index]);
+    }
+}
