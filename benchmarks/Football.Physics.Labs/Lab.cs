@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Text.Json;
 using FootballPhysics.Labs.BankShots;
 using FootballPhysics.Labs.Derivatives;
+using FootballPhysics.Labs.Following;
 using FootballPhysics.Labs.Forces;
 using FootballPhysics.Labs.Goals;
 using FootballPhysics.Labs.Groups;
@@ -187,6 +188,8 @@ internal static class Laboratories
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), VerdictsLab.Create(), ScenesLab.Create(),
             StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(),
+            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(), FollowLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));
