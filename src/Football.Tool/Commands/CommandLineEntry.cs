@@ -4,6 +4,7 @@ using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
 using FootballPhysics.Tool.Aim;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Follow;
 using FootballPhysics.Tool.Sweep;
 
 namespace FootballPhysics.Tool.Commands;
@@ -66,6 +67,7 @@ internal static class CommandLineEntry
             InterceptCommand.Create(terminal),
             ChanceCommand.Create(terminal),
             FitCommand.Create(terminal),
+            FollowCommand.Create(terminal),
             SweepCommand.Create(terminal),
             PlayCommand.Create(terminal),
             ReplayCommand.Create(terminal),
