@@ -27,9 +27,13 @@ internal static unsafe class Guard
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Match MatchOf(NativeMatch* handle) => Handles.Find((nuint)handle) as Match ?? throw Invalid((nuint)handle, "match");
 
+    /// <summary>Returns the filter of a handle.</summary>
+    /// <exception cref="HandleException">The handle is not that of a filter.</exception>
+    public static FollowedBall FilterOf(NativeFilter* handle) => Handles.Find((nuint)handle) as FollowedBall ?? throw Invalid((nuint)handle, "filter");
+
     /// <summary>Returns the status of a new handle.</summary>
     public static NativeStatus Made(nuint handle) =>
-        handle != 0 ? NativeStatus.Ok : Fail(NativeStatus.Internal, "There are 1 048 575 scenes and matches. Free some.");
+        handle != 0 ? NativeStatus.Ok : Fail(NativeStatus.Internal, "There are 1 048 575 scenes, matches and filters. Free some.");
 
     /// <summary>Throws if a pointer is null.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -31,7 +31,7 @@ internal sealed partial class CHeader
     private static readonly Type[] s_structs =
     [
         typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives), typeof(NativeBody), typeof(NativeMatchEvent), typeof(NativePlayer), typeof(NativeInterception), typeof(NativeWindow),
-        typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult), typeof(NativeWatch),
+        typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult), typeof(NativeFilterSettings), typeof(NativeEstimate), typeof(NativeWatch),
     ];
 
     private readonly StringBuilder _text = new();
@@ -88,6 +88,9 @@ internal sealed partial class CHeader
         Line();
         Comment(Summary("T:" + typeof(NativeMatch).FullName));
         Line("typedef struct fp_match fp_match;");
+        Line();
+        Comment(Summary("T:" + typeof(NativeFilter).FullName));
+        Line("typedef struct fp_filter fp_filter;");
         Line();
         Comment(Summary("T:" + typeof(NativeState).FullName));
         Line("typedef struct { unsigned char bytes[FOOTBALL_STATE_BYTES]; } fp_state;");

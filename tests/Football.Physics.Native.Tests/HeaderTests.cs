@@ -43,6 +43,7 @@ public sealed partial class HeaderTests
             (sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult),
                 sizeof(NativePiece), sizeof(NativeFitMatchResult)));
         Assert.Equal(16, sizeof(NativeWatch));
+        Assert.Equal((64, 792), (sizeof(NativeFilterSettings), sizeof(NativeEstimate)));
     }
 
     [GeneratedRegex(@"^(?:typedef struct \{.*)?\} fp_(\w+);", RegexOptions.Multiline)]

@@ -10,6 +10,7 @@ array([ True])
 """
 
 from ._balls import AimResult, Balls, Derivatives, EventKind, Motion, event_dtype
+from ._filter import BallFilter, estimate_dtype
 from ._match import Match, ball_dtype, body_dtype, match_event_dtype
 from ._native import version as _version
 from ._players import ChanceMethod, GoalChance, Interception, Players, goal_chance, intercept, intercept_windows, window_dtype
@@ -18,7 +19,8 @@ from ._scene import Scene, impact_dtype
 from ._tracks import Fit, FitVerdict, MatchAnswers, MatchFit, PieceKind, TrackSuspicions, fit, fit_match, piece_dtype
 
 __all__ = [
-    "AimResult", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "GoalChance", "Interception", "Match", "MatchAnswers", "MatchFit", "Motion", "PieceKind", "Players",
-    "Scene", "TrackSuspicions", "ball_dtype", "body_dtype", "envs", "event_dtype", "fit", "fit_match", "goal_chance", "impact_dtype", "intercept", "intercept_windows", "match_event_dtype", "piece_dtype",
+    "AimResult", "BallFilter", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "GoalChance", "Interception", "Match", "MatchAnswers", "MatchFit", "Motion", "PieceKind",
+    "Players", "Scene", "TrackSuspicions", "ball_dtype", "body_dtype", "envs", "estimate_dtype", "event_dtype", "fit", "fit_match", "goal_chance", "impact_dtype", "intercept",
+    "intercept_windows", "match_event_dtype", "piece_dtype",
     "track", "window_dtype"]
 __version__ = _version().decode()

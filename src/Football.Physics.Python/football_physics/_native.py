@@ -81,6 +81,15 @@ intercept_windows = _function("fp_intercept_windows", _P, _P, _D, _P, _I, _P, _I
 goal_chance = _function("fp_goal_chance_watched", _P, ctypes.c_char_p, _L, _P, _P)
 fit = _function("fp_fit_watched", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _P)
 fit_match = _function("fp_fit_match_watched", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _I, _P, _P, _P, _P)
+filter_default = _function("fp_filter_default", _P)
+filter_create = _function("fp_filter_create", _P, _P, _P)
+filter_free = _function("fp_filter_free", _P)
+filter_reset = _function("fp_filter_reset", _P)
+filter_update = _function("fp_filter_update", _P, _P, _P, _P, _L, _P)
+filter_update_pixel = _function("fp_filter_update_pixel", _P, _D, _P, _D, _D, _D, _P)
+filter_look_ahead = _function("fp_filter_look_ahead", _P, _D, _D, _P, _L, _P)
+filter_save = _function("fp_filter_save", _P, _P, _L, _P)
+filter_restore = _function("fp_filter_restore", _P, ctypes.c_char_p, _L)
 
 
 def text(request) -> bytes:

@@ -62,3 +62,7 @@ FIT_MATCH = _struct(
 IMPACT = _struct(
     *_vectors("impulse"), *_numbers("normal_impulse", "tangential_impulse", "slip_before", "slip_after", "contact_time", "compression", "peak_force", "energy_lost"),
     *_integers("grips"), _RESERVED)
+FILTER_SETTINGS = _struct(*_numbers("noise", "pixel_noise", "kick_velocity", "kick_spin", "kicks_per_second", "outlier_share", "window", "maximum_gap"))
+ESTIMATE = _struct(
+    *_numbers("time"), *_vectors("position", "velocity", "spin", "deviations"), ("covariance", "f8", 81), *_numbers("kick_time", "kick_deviation", "kick_probability"),
+    *_integers("motion", "has_kick", "is_outlier", "is_held"))
