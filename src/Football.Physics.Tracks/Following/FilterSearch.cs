@@ -24,6 +24,9 @@ internal sealed class FilterSearch
     private const double StartDeviation = 10;
     private const double PixelStartDeviation = 30;
 
+    /// <summary>The first guess of the upward velocity after a kick if no point has a height, in m/s.</summary>
+    private const double KickedUp = 3;
+
     /// <summary>The index of the moment at which older points are condensed.</summary>
     private const int Condensed = FilterHistory.Room / 2;
 
@@ -373,12 +376,15 @@ internal sealed class FilterSearch
             return from.Velocity;
         }
 
+        bool hasHeight = true;
         for (int i = first; i < first + count; i++)
         {
-            if (_points[i].Kind != FilterPointKind.Position)
+            if (_points[i].Kind == FilterPointKind.Pixel)
             {
                 return from.Velocity + _gain.Change;
             }
+
+            hasHeight &= _points[i].Kind == FilterPointKind.Position;
         }
 
         double fall = 0.5 * _model.Simulator.Scene.Gravity;
@@ -398,7 +404,7 @@ internal sealed class FilterSearch
             slope[axis] = used % 2 == 1 ? _slopes[used / 2] : 0.5 * (_slopes[used / 2] + _slopes[(used / 2) - 1]);
         }
 
-        return new Vector3d(slope[0], slope[1], slope[2]);
+        return new Vector3d(slope[0], hasHeight ? slope[1] : KickedUp, slope[2]);
     }
 
     /// <summary>Adds a start at a point, without a path before it.</summary>
