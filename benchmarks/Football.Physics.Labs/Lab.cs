@@ -187,8 +187,6 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), KnuckleLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), VerdictsLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(),
-            ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), ScenesLab.Create(),
             StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(), FollowLab.Create(),
         ])
         {
