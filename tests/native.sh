@@ -123,7 +123,7 @@ godot() {
   local name=$1
   shift
   quietly "the extension for Godot, $name" env FOOTBALL_BIN="$work/$name" samples/GDExtension/build.sh "$prefix" -Werror "$@"
-  quietly "godot_host.c, $name" gcc -std=c99 -pedantic -D_GNU_SOURCE -Wall -Wextra -Werror "$@" -I"$prefix/include" tests/Native/godot_host.c -o "$work/$name/host" -ldl -lm
+  quietly "godot_host.c, $name" gcc -std=c99 -pedantic -D_GNU_SOURCE -Wall -Wextra -Werror "$@" -I"$prefix/include" tests/Native/godot_host.c -rdynamic -o "$work/$name/host" -ldl -lm
 }
 # plays HOST EXTENSION: the names of two builds.
 plays() { "$work/$1/host" "$work/$2/libfootball_godot.so" tests/Native/godot-methods.tsv; }
@@ -131,7 +131,7 @@ start=$SECONDS
 sanitized=(-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined)
 echo leak:libfootball_physics.so > "$work/suppressed"
 FOOTBALL_BIN=$work/plain page docs/godot.md#gdscript-without-c
-quietly "godot_host.c" gcc -std=c99 -D_GNU_SOURCE -O2 -I"$prefix/include" tests/Native/godot_host.c -o "$work/plain/host" -ldl -lm
+quietly "godot_host.c" gcc -std=c99 -D_GNU_SOURCE -O2 -I"$prefix/include" tests/Native/godot_host.c -rdynamic -o "$work/plain/host" -ldl -lm
 godot single "${sanitized[@]}"
 godot double "${sanitized[@]}" -DFOOTBALL_GODOT_DOUBLE
 plays plain plain > "$work/godot.txt" 2> "$log" || fail "the extension for Godot"

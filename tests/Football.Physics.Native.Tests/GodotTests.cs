@@ -39,12 +39,12 @@ public sealed class GodotTests
             Row("time_scale 8, 480 ticks, set later", 120, 1.0 / 60, kick),
             Row("time_scale 8, 480 ticks, set before", 120, 8.0 / 480, fine),
             Row("240 ticks, set later", 480, 1.0 / 240, kick),
-            "216000 frames of 1/60 s as a float: 1 to 1 steps per frame",
+            "360000 frames of 1/100 s as a float: 1 to 1 steps per frame",
             $"kick 27 m/s, top spin -10, side spin 60: {spun.Hash} after 240 steps",
             $"saved at 60, restored: {kick.Hash} after 120 steps, as before",
             $"a shot into the goal: {shot.Counts("impact", "net", "goal", "enter_zone", "exit_zone", "rest")}, {shot.Hash}",
             $"over the edge of a shelf: {shelf.Counts("impact", "slide", "roll", "contact_end", "rest")}",
-            "left: 0 names, 0 strings, 0 arrays, 0 objects, 0 variants",
+            "left: 0 names, 0 strings, 0 arrays, 0 objects, 0 variants, 0 scenes",
             string.Empty,
         ];
         Repository.AssertCurrent("tests/Native/godot.txt", string.Join('\n', lines));
