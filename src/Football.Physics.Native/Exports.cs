@@ -17,7 +17,8 @@ internal static unsafe partial class Exports
     internal static readonly int[] Sizes =
     [
         sizeof(NativeState), sizeof(NativeBall), sizeof(NativeEvent), sizeof(NativeDerivatives), sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception),
-        sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeWatch),
+        sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult),
+        sizeof(NativeFilterSettings), sizeof(NativeEstimate), sizeof(NativeWatch),
     ];
 
     private static readonly byte* s_noError = MakeText("");
@@ -50,16 +51,19 @@ internal static unsafe partial class Exports
     /// <param name="pieceBytes">sizeof(fp_piece).</param>
     /// <param name="fitMatchBytes">sizeof(fp_fit_match_result).</param>
     /// <param name="impactBytes">sizeof(fp_impact_result).</param>
+    /// <param name="filterBytes">sizeof(fp_filter_settings).</param>
+    /// <param name="estimateBytes">sizeof(fp_estimate).</param>
     /// <returns>FP_OK, or FP_ABI.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_check_structs")]
     public static NativeStatus CheckStructs(
-        int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes, int impactBytes)
+        int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes, int impactBytes,
+        int filterBytes, int estimateBytes)
     {
-        (int, int, int, int, int, int, int, int, int, int) mine = (
+        (int, int, int, int, int, int, int, int, int, int, int, int) mine = (
             sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult),
-            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult));
-        (int, int, int, int, int, int, int, int, int, int) given =
-            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes, impactBytes);
+            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult), sizeof(NativeFilterSettings), sizeof(NativeEstimate));
+        (int, int, int, int, int, int, int, int, int, int, int, int) given =
+            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes, impactBytes, filterBytes, estimateBytes);
         return given == mine
             ? NativeStatus.Ok
             : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");

@@ -303,11 +303,11 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 39: return fp_intercept_windows(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->windows, (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->numbers);
     case 40:
         if (below(seed, 2)) {
-            int32_t sizes[15];
-            for (int i = 0; i < 15; i++) sizes[i] = (int32_t)next(seed);
-            return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 15, INT32_MAX));
+            int32_t sizes[17];
+            for (int i = 0; i < 17; i++) sizes[i] = (int32_t)next(seed);
+            return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 17, INT32_MAX));
         }
-        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 256, 96);
+        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 256, 96, 64, 792);
     case 50:
         if (below(seed, 8) == 0) {
             fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);

@@ -1,4 +1,3 @@
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Labs.Following;
 

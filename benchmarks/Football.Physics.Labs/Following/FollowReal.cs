@@ -1,4 +1,3 @@
-using FootballPhysics.Prediction;
 using FootballPhysics.Tool.Fit;
 
 namespace FootballPhysics.Labs.Following;

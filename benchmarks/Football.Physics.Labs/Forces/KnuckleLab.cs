@@ -1,6 +1,5 @@
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Labs.Forces;
 

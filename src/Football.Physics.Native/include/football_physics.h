@@ -196,6 +196,46 @@ enum {
     FP_FIT_PARAMETER_INT = -1
 };
 
+/** The answers of a match fit that are reliable to within their standard deviations. */
+typedef int32_t fp_match_answers;
+enum {
+    /** None: only the positions, and about the speeds. */
+    FP_GOOD_FOR_NONE = 0,
+    /** The velocities of the flights. */
+    FP_GOOD_FOR_LAUNCHES = 1,
+    /** The spins of the flights. */
+    FP_GOOD_FOR_SPINS = 2,
+    /** The wind and the drag of the ball. */
+    FP_GOOD_FOR_WIND_AND_DRAG = 4,
+    /** The surface. */
+    FP_GOOD_FOR_SURFACE = 8,
+    /** Not used. It gives the constants the type int. */
+    FP_MATCH_ANSWERS_INT = -1
+};
+
+/** Faults of a track that a match fit suspects or has removed. */
+typedef int32_t fp_track_suspicions;
+enum {
+    /** None. */
+    FP_SUSPICION_NONE = 0,
+    /** The points or residuals are too large for a ball in metres and seconds: other units, times or columns. */
+    FP_SUSPICION_UNITS = 1,
+    /** The flights fall with another g: the clock, the frame rate or the scale of the heights is wrong. */
+    FP_SUSPICION_SCALE = 2,
+    /** The wind changes within the track: a half is turned, or the wind changed. */
+    FP_SUSPICION_TURNED = 4,
+    /** Another law of drag describes the flights better, but not to within the noise: another ball. */
+    FP_SUSPICION_DRAG_LAW = 8,
+    /** The residuals are far above the noise: the motion is not that of a free ball. */
+    FP_SUSPICION_MISFIT = 16,
+    /** Points lay on straight lines between others. They were left out. */
+    FP_SUSPICION_LINES = 32,
+    /** Points repeated the position of a moving ball. They were left out. */
+    FP_SUSPICION_HELD = 64,
+    /** Not used. It gives the constants the type int. */
+    FP_TRACK_SUSPICIONS_INT = -1
+};
+
 /** A checked and compiled scene. It is immutable. Any number of threads may use it concurrently, even while one of them frees it. The
     pointer is a handle, not an address. */
 typedef struct fp_scene fp_scene;
@@ -203,6 +243,9 @@ typedef struct fp_scene fp_scene;
 /** A match: a scene with bodies that move and obstacles that have a mass, and balls that are stepped together. Concurrent calls wait for
     each other. The pointer is a handle, not an address. */
 typedef struct fp_match fp_match;
+
+/** A filter that follows one ball. Concurrent calls wait for each other. The pointer is a handle, not an address. */
+typedef struct fp_filter fp_filter;
 
 /** The complete state of a ball, as plain bytes. Copy it to save, restore or roll back. Balls in the same state have the same bytes.
     fp_launch creates a state; all zero bytes are not a valid one. */
@@ -488,7 +531,87 @@ typedef struct {
     int32_t impacts;
     /** The number of intervals in which the ball slid or rolled untouched. */
     int32_t windows;
+    /** The answers that are reliable to within their standard errors: the sum of values of fp_match_answers. */
+    int32_t good_for;
+    /** The suspected faults of the track: the sum of values of fp_track_suspicions. */
+    int32_t suspicions;
 } fp_fit_match_result;
+
+/** The outputs of an impact, for sound, haptics and looks. The simulation does not depend on them. */
+typedef struct {
+    /** The impulse on the ball, N s. The object received the opposite impulse. */
+    double impulse[3];
+    /** The impulse along the normal, N s; at least 0. */
+    double normal_impulse;
+    /** The impulse of friction, N s; at least 0. */
+    double tangential_impulse;
+    /** The speed of the ball's contact point along the surface just before, m/s. */
+    double slip_before;
+    /** The same just after, m/s. */
+    double slip_after;
+    /** The duration of a real impact, s. */
+    double contact_time;
+    /** The largest compression of the ball, m. */
+    double compression;
+    /** The largest normal force, N. */
+    double peak_force;
+    /** The kinetic energy lost, J, relative to the surface; negative if a bumper adds energy. */
+    double energy_lost;
+    /** 1 if friction held the contact; 0 if the ball slipped. */
+    int32_t grips;
+    /** 0. */
+    int32_t reserved;
+} fp_impact_result;
+
+/** The settings of a filter; fp_filter_default returns the defaults. */
+typedef struct {
+    /** The standard deviation of a measured coordinate, m; above 0, at most 100. */
+    double noise;
+    /** The standard deviation of a pixel coordinate, pixels; above 0, at most 1000. */
+    double pixel_noise;
+    /** The standard deviation of each component of the velocity just after a kick, m/s; above 0, at most 300. */
+    double kick_velocity;
+    /** The standard deviation of each component of the spin just after a kick, rad/s; above 0, at most 1000. */
+    double kick_spin;
+    /** The expected number of kicks per second, 1e-6 ... 100. */
+    double kicks_per_second;
+    /** The expected share of wrong points, 1e-6 ... 0.5. */
+    double outlier_share;
+    /** The time over which the motion is fitted to the points themselves, s; 0.2 ... 20. */
+    double window;
+    /** The longest gap that the filter bridges, s; 0.05 ... 20. */
+    double maximum_gap;
+} fp_filter_settings;
+
+/** The estimate of a filter at the time of its last point. */
+typedef struct {
+    /** The time of the last point, s. */
+    double time;
+    /** The position, m. */
+    double position[3];
+    /** The velocity, m/s. */
+    double velocity[3];
+    /** The spin, rad/s. */
+    double spin[3];
+    /** The standard deviations of a component of position, velocity and spin: root mean squares of the three axes. */
+    double deviations[3];
+    /** The covariance of position, velocity and spin, row by row. */
+    double covariance[81];
+    /** The time of a kick within the last 0.5 s; NaN without one. */
+    double kick_time;
+    /** The standard deviation of that time, s. */
+    double kick_deviation;
+    /** The probability of that kick, 0 ... 1. */
+    double kick_probability;
+    /** The motion, an fp_motion. */
+    int32_t motion;
+    /** 1 if the filter believes in the kick. */
+    int32_t has_kick;
+    /** 1 if the last point does not fit the motion. */
+    int32_t is_outlier;
+    /** 1 if the ball seems to move with a player. */
+    int32_t is_held;
+} fp_estimate;
 
 /** Watches a long call: shows its progress, and cancels it. Set bytes to sizeof(fp_watch) and the other members to 0 before the call. */
 typedef struct {
@@ -519,8 +642,11 @@ FOOTBALL_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_
     fit_bytes: sizeof(fp_fit_result).
     piece_bytes: sizeof(fp_piece).
     fit_match_bytes: sizeof(fp_fit_match_result).
+    impact_bytes: sizeof(fp_impact_result).
+    filter_bytes: sizeof(fp_filter_settings).
+    estimate_bytes: sizeof(fp_estimate).
     Returns FP_OK, or FP_ABI. */
-FOOTBALL_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes);
+FOOTBALL_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes, int32_t impact_bytes, int32_t filter_bytes, int32_t estimate_bytes);
 
 /** Checks that the structures of another language match those of the library: a check without a macro, for generated bindings.
     version: FOOTBALL_ABI_VERSION.
@@ -569,6 +695,75 @@ FOOTBALL_API double fp_added_energy(const fp_scene* scene, const fp_event* event
     state: The state.
     Returns the hash; 0 if the state is null. */
 FOOTBALL_API uint64_t fp_hash(const fp_state* state);
+
+/** Writes the default settings of a filter.
+    settings: Receives the settings.
+    Returns FP_OK, or FP_ARGUMENT. */
+FOOTBALL_API fp_status fp_filter_default(fp_filter_settings* settings);
+
+/** Creates a filter that follows one ball.
+    scene: The scene.
+    settings: The settings; null for the defaults.
+    filter: Receives the handle; null if the call fails. Free it with fp_filter_free.
+    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_create(const fp_scene* scene, const fp_filter_settings* settings, fp_filter** filter);
+
+/** Frees a filter.
+    filter: The filter; null or a freed handle is rejected.
+    Returns FP_OK, or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_free(fp_filter* filter);
+
+/** Forgets all points.
+    filter: The filter.
+    Returns FP_OK, or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_reset(fp_filter* filter);
+
+/** Includes measured positions, and writes the estimate after each.
+    filter: The filter.
+    times: n times, s, within 1e10.
+    positions: n rows x, y, z of the ball's centre, m; y is up. A row with y = NaN has no height; a row with x = NaN is a gap.
+    noise: n standard deviations of the coordinates, m; null for that of the settings.
+    n: The number of points, 0 ... 1 000 000.
+    estimates: Receives n estimates; null to skip them. A gap before the first point has zeros.
+    Returns FP_OK; FP_ARGUMENT if a point is rejected (the points before it count), or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_update(fp_filter* filter, const double* times, const double* positions, const double* noise, int64_t n, fp_estimate* estimates);
+
+/** Includes a pixel of a camera.
+    filter: The filter.
+    time: The time, s.
+    camera: The 3 x 4 matrix of the camera, row by row: (a, b, w) = matrix (x, y, z, 1), u = a/w, v = b/w; w is positive in front of the
+      camera.
+    u: The pixel to the right.
+    v: The pixel downwards.
+    noise: The standard deviation of each coordinate, pixels; 0 for that of the settings.
+    estimate: Receives the estimate; null to skip it.
+    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_update_pixel(fp_filter* filter, double time, const double camera[12], double u, double v, double noise, fp_estimate* estimate);
+
+/** Predicts the path from the estimate, with its standard deviation.
+    filter: The filter.
+    seconds: The duration, s; above 0, at most 60.
+    every: The interval of the rows, s; above 0.
+    path: Receives rows (t, x, y, z, deviation), the first at the last point; the deviation is that of a component, m.
+    rows: The number of rows that fit, 0 or more.
+    written: Receives the number of rows written; null to skip it.
+    Returns FP_OK, FP_ARGUMENT (also before the first point) or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_look_ahead(fp_filter* filter, double seconds, double every, double* path, int64_t rows, int64_t* written);
+
+/** Saves the whole filter as bytes.
+    filter: The filter.
+    bytes: Receives the bytes; null if capacity is 0.
+    capacity: The number of bytes that fit, 0 or more.
+    count: Receives the number of bytes, even if they do not fit.
+    Returns FP_OK, FP_BUFFER if capacity is too small (nothing is written), FP_ARGUMENT or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_save(const fp_filter* filter, char* bytes, int64_t capacity, int64_t* count);
+
+/** Restores a filter from the bytes of fp_filter_save. It then gives the same bits as the saved one.
+    filter: A filter with the same scene and settings.
+    bytes: The bytes.
+    count: Their number.
+    Returns FP_OK; FP_ARGUMENT if these are not the bytes of such a filter (nothing changes), or FP_HANDLE. */
+FOOTBALL_API fp_status fp_filter_restore(fp_filter* filter, const char* bytes, int64_t count);
 
 /** Estimates the launch of a ball, and on request factors of the scene, from its tracked positions.
     scene: The scene.
@@ -630,6 +825,14 @@ FOOTBALL_API fp_status fp_fit_match(const fp_scene* scene, const double* times, 
     watch: Shows the progress, and cancels the call; null for neither.
     Returns As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null. */
 FOOTBALL_API fp_status fp_fit_match_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted, fp_watch* watch);
+
+/** Computes the outputs of an impact with a stationary surface: impulses, slip, duration, compression, peak force, energy.
+    scene: The scene.
+    event: An impact of a ball in this scene.
+    out: Receives the outputs.
+    Returns FP_OK, FP_HANDLE, or FP_ARGUMENT: the event is not an impact, or its object moves or has a mass. For the event of a match, use
+    fp_match_impact. */
+FOOTBALL_API fp_status fp_impact(const fp_scene* scene, const fp_event* event, fp_impact_result* out);
 
 /** Sets a player to a fit adult at the origin: reaction 0.2 s, acceleration 6 m/s^2, speed 8 m/s, reach 0.6 m, heights 0 ... 2.3 m.
     player: Receives the player.
@@ -726,6 +929,13 @@ FOOTBALL_API fp_status fp_match_move_bodies(fp_match* match, int32_t first, int3
     Returns FP_OK; FP_BUFFER if events or count is given, and there are more events than capacity or than a step stores. The step is then
     complete, and the first events are written, at most capacity or 1 024. FP_ARGUMENT or FP_HANDLE, with nothing changed. */
 FOOTBALL_API fp_status fp_match_step(fp_match* match, fp_match_event* events, int32_t capacity, int32_t* count);
+
+/** Computes the outputs of an impact in the last step: impulses, slip, duration, compression, peak force, energy.
+    match: The match.
+    event: The index of the event in the last step, from 0, as fp_match_step writes them; below 1 024.
+    out: Receives the outputs.
+    Returns FP_OK, FP_HANDLE, or FP_ARGUMENT: the last step has no such event, or the event is not an impact. */
+FOOTBALL_API fp_status fp_match_impact(const fp_match* match, int32_t event, fp_impact_result* out);
 
 /** Reads balls.
     match: The match.
@@ -996,13 +1206,14 @@ FOOTBALL_API fp_status fp_match_verify(fp_match* match, int64_t* tick);
     spin: n rows x, y, z, rad/s; at most 10 000.
     time: Time, s; 0 ... 1e12. Only a wind that varies in time depends on it.
     air_distance: n distances flown through the air since the kick, m, for the knuckle force; null for 0.
+    orientation: n rows x, y, z, w, of any length except 0, for the knuckle force; null for the identity.
     force: Receives n rows x, y, z, N.
     torque: Receives n rows x, y, z, N m; null to skip them.
     Returns FP_OK; FP_ARGUMENT or FP_HANDLE, with nothing written. */
-FOOTBALL_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, double* force, double* torque);
+FOOTBALL_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, const double* orientation, double* force, double* torque);
 
 /** Checks that this header matches the library. Other languages call fp_check_sizes. */
-#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result)))
+#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result), (int32_t)sizeof(fp_impact_result), (int32_t)sizeof(fp_filter_settings), (int32_t)sizeof(fp_estimate)))
 
 /* The names before version 0.2, for one more version. <math.h> also begins names with FP_. */
 #define FP_ABI_VERSION FOOTBALL_ABI_VERSION

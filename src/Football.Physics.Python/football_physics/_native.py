@@ -53,7 +53,7 @@ air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P, _P)
 impact = _function("fp_impact", _P, _P, _P)
 snapshot_write = _function("fp_snapshot_write", _P, _P)
 snapshot_read = _function("fp_snapshot_read", _P, _P)
-check_structs = _function("fp_check_structs", *[_I] * 10)
+check_structs = _function("fp_check_structs", *[_I] * 12)
 match_create = _function("fp_match_create", ctypes.c_char_p, _L, _I, _D, _P)
 match_free = _function("fp_match_free", _P)
 match_name = _function("fp_match_name", _P, _I, _P, _I)
@@ -122,6 +122,7 @@ def check(status: int) -> None:
         fail(status)
 
 
-_SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH, _structs.IMPACT]
+_SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH, _structs.IMPACT,
+          _structs.FILTER_SETTINGS, _structs.ESTIMATE]
 if check_abi(ABI_VERSION, STATE_BYTES, BALL_BYTES, EVENT_BYTES) or check_structs(*(struct.itemsize for struct in _SIZES)):
     raise ImportError("football_physics: the package and its library do not belong together: " + last_error().decode())

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Prediction;
 using FootballPhysics.Scenarios;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Commands;

@@ -1,4 +1,3 @@
-using FootballPhysics.Prediction;
 using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Follow;

@@ -1,6 +1,3 @@
-using FootballPhysics.Netcode;
-using FootballPhysics.Prediction;
-using FootballPhysics.Tracks;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Tests.Queries;
