@@ -80,7 +80,7 @@ public sealed class EngineTests
             direct.Step();
             unity.gameObject.Send("FixedUpdate");
             same.Step();
-            godot._PhysicsProcess(0);
+            godot._PhysicsProcess(godot.Runner.TimeStep);
         }
 
         Assert.Equal(Snapshot.Hash(direct.State), Snapshot.Hash(unity.Runner.State));

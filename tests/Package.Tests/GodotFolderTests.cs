@@ -135,7 +135,7 @@ public sealed partial class GodotFolderTests
         var ball = new FootballBall();
         ball._Ready();
         ball.Kick(12, new Godot.Vector3(0, 0.4f, -1));
-        ball._PhysicsProcess(1 / 60.0);
+        ball._PhysicsProcess(ball.Runner.TimeStep);
         Godot.Vector3[] path = ball.PathAhead(30);
         Assert.Equal(30, path.Length);
         Assert.True(path[^1].Z < path[0].Z);

@@ -545,7 +545,7 @@ public sealed class GodotPlayTests : IDisposable
 
         // Down the window is up in numbers: high at walking pace, low beyond the crisis at 18.7 m/s.
         Assert.True(curve.Drawn[1][10].Y < curve.Drawn[1][60].Y - 30);
-        Assert.Contains("Jabulani (2010). The drag is measured", curve.Notes, StringComparison.Ordinal);
+        Assert.Contains("Jabulani (2010). Mass and radius: law. Drag: measured", curve.Notes, StringComparison.Ordinal);
         Assert.Contains("MatchTurf: ", curve.Notes, StringComparison.Ordinal);
         preset.Gravity = 2000;
         curve._Process(0);

@@ -105,7 +105,7 @@ public sealed class UnityEditorTests : IDisposable
 
         // Down the window is up in numbers: high at walking pace, low beyond the crisis at 18.7 m/s.
         Assert.True(curve[10].y < curve[60].y - 30f);
-        Assert.Contains(EditorGUILayout.Said, said => said.Contains("Jabulani (2010). The drag is measured", StringComparison.Ordinal));
+        Assert.Contains(EditorGUILayout.Said, said => said.Contains("Jabulani (2010). Mass and radius: law. Drag: measured", StringComparison.Ordinal));
         Assert.Contains(EditorGUILayout.Said, said => said.StartsWith("MatchTurf: ", StringComparison.Ordinal) && said.Contains("Measured", StringComparison.Ordinal));
         EditorGUILayout.Said.Clear();
         preset.gravity = 2000f;

@@ -81,6 +81,9 @@ namespace UnityEngine
 
         public static PhysicsScene defaultPhysicsScene => default;
 
+        public static int OverlapSphereNonAlloc(Vector3 position, float radius, Collider[] results, int layerMask, QueryTriggerInteraction queryTriggerInteraction) =>
+            defaultPhysicsScene.OverlapSphere(position, radius, results, layerMask, queryTriggerInteraction);
+
         /// <summary>The colliders of the default scene.</summary>
         public static List<Collider> All => defaultPhysicsScene.All;
 
