@@ -48,9 +48,9 @@ public sealed class UsageTests
         var done = FootballCommand.Run("", "--help");
         Assert.Equal((0, ""), (done.ExitCode, done.Error));
         string[] lines = done.Output.TrimEnd().Split('\n');
-        Assert.InRange(lines.Length, 12, 16);
+        Assert.InRange(lines.Length, 12, 17);
         Assert.All(lines, line => Assert.InRange(line.Length, 1, 80));
-        foreach (string name in (string[])["kick", "simulate", "aim", "intercept", "chance", "fit", "sweep", "play", "replay", "bundle", "gallery", "lab", "help"])
+        foreach (string name in (string[])["kick", "simulate", "aim", "intercept", "chance", "fit", "follow", "sweep", "play", "replay", "bundle", "gallery", "lab", "help"])
         {
             Assert.Contains(lines, line => line.StartsWith($"  {name} ", StringComparison.Ordinal));
         }

@@ -63,7 +63,7 @@ internal sealed record StressScene
         ForceSet f = Scene.Forces;
         Ground g = Scene.Ground;
         static string Limit(double value) => double.IsPositiveInfinity(value) ? "null" : N(value);
-        string type = MeasuredStress.Curves.Append((Type: "modern", Curve: DragCurve.Modern)).First(item => item.Curve == Scene.Ball.DragCurve).Type;
+        string type = MeasuredStress.Curves.Append((Type: "modern", Curve: DragCurve.Modern)).Append((Type: "beachBall", Curve: DragCurve.SmoothSphere)).First(item => item.Curve == Scene.Ball.DragCurve).Type;
         string profile = Measured ? "\"profile\":\"measured\"," : "";
         string ofBall = Measured ? $"\"type\":\"{type}\"," : "";
         string ofGround = string.Concat(

@@ -12,7 +12,11 @@ internal readonly struct ImpactContact(in Vector3d surface, bool grips, double y
     public readonly double Yields = yields;
     public readonly double Turns = turns;
     public readonly double Lost = lost;
-    public readonly bool Grips = grips;
+
+    // Not a bool: events have no padding, so that equal events have equal bytes.
+    private readonly long _grips = grips ? 1 : 0;
+
+    public bool Grips => _grips != 0;
 
     /// <summary>Returns the contact of a ball with another ball.</summary>
     /// <param name="other">The other ball.</param>

@@ -10,6 +10,9 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 internal static class SceneHash
 {
+    /// <summary>The default knuckle force when the hash was defined, N: without a seed, earlier recordings hash it.</summary>
+    private const double FormerKnuckleForce = 1.5;
+
     private const int Places = 16;
 
     public static ulong Of(Scene scene, SolverSettings settings, World world, Simulator simulator)
@@ -72,8 +75,23 @@ internal static class SceneHash
 
     private static void AddBall(ref SceneKey key, Scene scene)
     {
-        Add(ref key, SceneFields.Ball, scene.Ball);
-        key.Add(scene.Ball.SeamSeed);
+        // Numbers without an effect are not hashed, so that a recording stays valid: those of the outputs of impacts, a lift that does not reverse, and the
+        // knuckle force without a seed.
+        bool hasKnuckle = scene.Forces.KnuckleSeed is not null;
+        foreach (NumberField<BallProperties> field in SceneFields.Ball)
+        {
+            double value = field.Get(scene.Ball);
+            if (field.Name != "pressure" && (field.Name != "reverseLift" || value != 0))
+            {
+                key.Add(field.Name == "knuckleForce" && !hasKnuckle ? FormerKnuckleForce : value);
+            }
+        }
+
+        if (hasKnuckle)
+        {
+            key.AddInteger(scene.Ball.SeamSeed);
+        }
+
         key.Add(Weight.Of(scene));
         if (scene.Ball.Ignores != 0)
         {
@@ -114,7 +132,7 @@ internal static class SceneHash
         // Hash −0.5 for "no seed", because every seed is an integer.
         if (scene.Forces.KnuckleSeed is { } seed)
         {
-            key.Add(seed);
+            key.AddInteger(seed);
         }
         else
         {
@@ -210,7 +228,7 @@ internal struct SceneKey
     }
 
     /// <summary>Adds an integer; a double holds only 53 of its bits.</summary>
-    public void Add(long value)
+    public void AddInteger(long value)
     {
         Add((double)(int)(value >> 32));
         Add((double)(uint)value);
