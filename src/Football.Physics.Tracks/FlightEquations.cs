@@ -120,24 +120,7 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
         int count = flight.Count;
         Reserve(count);
         Follow(at, flight, flight.Values, _path);
-        var jacobian = new Vector3d[size][];
-        for (int j = 3; j < size; j++)
-        {
-            jacobian[j] = new Vector3d[count];
-            Array.Copy(flight.Values, _changed, Launch);
-            double step = j < 6 ? VelocityStep : j < Launch ? SpinStep : differences[j - Launch];
-            if (j < Launch)
-            {
-                _changed[j] += step;
-            }
-
-            Follow(j < Launch ? at : shared[j - Launch], flight, _changed, _other);
-            for (int i = 0; i < count; i++)
-            {
-                jacobian[j][i] = (_other[i] - _path[i]) / step;
-            }
-        }
-
+        Vector3d[][] jacobian = Jacobian(at, shared, differences, flight);
         Array.Clear(normal, 0, size * size);
         Array.Clear(gradient, 0, size);
         Array.Clear(flight.LowHeights, 0, Launch);
@@ -195,6 +178,32 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
         }
 
         return Cost(flight, flight.Values, _path);
+    }
+
+    /// <summary>Returns the derivatives of the path, from one path per changed parameter; none for the launch position.</summary>
+    private Vector3d[][] Jacobian(Simulator at, Simulator[] shared, double[] differences, FlightPath flight)
+    {
+        int size = Launch + shared.Length;
+        int count = flight.Count;
+        var jacobian = new Vector3d[size][];
+        for (int j = 3; j < size; j++)
+        {
+            jacobian[j] = new Vector3d[count];
+            Array.Copy(flight.Values, _changed, Launch);
+            double step = j < 6 ? VelocityStep : j < Launch ? SpinStep : differences[j - Launch];
+            if (j < Launch)
+            {
+                _changed[j] += step;
+            }
+
+            Follow(j < Launch ? at : shared[j - Launch], flight, _changed, _other);
+            for (int i = 0; i < count; i++)
+            {
+                jacobian[j][i] = (_other[i] - _path[i]) / step;
+            }
+        }
+
+        return jacobian;
     }
 
     /// <summary>The standard deviation of a coordinate from one point to the next, in m.</summary>
