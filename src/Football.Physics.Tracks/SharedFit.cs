@@ -4,8 +4,8 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Fits the launches of many flights and their shared parameters simultaneously.</summary>
 /// <remarks>
-/// Damped Gauss–Newton (Levenberg–Marquardt). Each launch affects only its own flight and is eliminated (Schur complement), so the system has the
-/// size of the shared parameters: S = Σ (C − Bᵀ A⁻¹ B), s = Σ (c − Bᵀ A⁻¹ a).
+/// Damped Gauss–Newton (Levenberg–Marquardt). Each launch affects only its own flight and is eliminated (<see cref="LaunchElimination"/>), so the system has
+/// the size of the shared parameters.
 /// </remarks>
 internal sealed class SharedFit
 {
@@ -35,6 +35,7 @@ internal sealed class SharedFit
     private readonly MatchModel _model;
     private readonly int _shared;
     private readonly int _size;
+    private readonly LaunchElimination _elimination;
     private readonly double[] _scratch = new double[Launch * Launch];
 
     public SharedFit(FlightEquations system, MatchModel model, double[]? start = null)
@@ -43,6 +44,7 @@ internal sealed class SharedFit
         _model = model;
         _shared = model.Count;
         _size = Launch + _shared;
+        _elimination = new LaunchElimination(_shared);
         Values = new double[_shared];
         Covariance = new double[_shared * _shared];
         for (int i = 0; i < _shared; i++)
@@ -172,7 +174,7 @@ internal sealed class SharedFit
         var off = new double[flights.Count][];
         for (int i = 0; i < flights.Count; i++)
         {
-            Invert(normals[i], flights[i].Covariance);
+            _elimination.Invert(normals[i], flights[i].Covariance);
             off[i] = Times(flights[i].Covariance, flights[i].LowHeights);
             Variance(flights[i], out double misfit);
             double low = Math.Min(1, Math.Sqrt(misfit) / LowMisfit);
@@ -180,8 +182,8 @@ internal sealed class SharedFit
             {
                 off[i][k] *= low;
             }
-            couplings[i] = Couple(normals[i], flights[i].Covariance);
-            Eliminate(normals[i], gradients[i], couplings[i], reduced[i], s, unused);
+            couplings[i] = _elimination.Couple(normals[i], flights[i].Covariance);
+            _elimination.Eliminate(normals[i], gradients[i], couplings[i], reduced[i], s, unused);
         }
 
         Linear.Invert(s, Covariance, _shared);
@@ -259,9 +261,9 @@ internal sealed class SharedFit
             }
 
             inverses[f] = new double[Launch * Launch];
-            Invert(normal, inverses[f]);
-            couplings[f] = Couple(normal, inverses[f]);
-            Eliminate(normal, gradients[f], couplings[f], shares[f], s, right);
+            _elimination.Invert(normal, inverses[f]);
+            couplings[f] = _elimination.Couple(normal, inverses[f]);
+            _elimination.Eliminate(normal, gradients[f], couplings[f], shares[f], s, right);
         }
 
         for (int i = 0; i < _shared; i++)
@@ -328,52 +330,6 @@ internal sealed class SharedFit
             double weight = 1 / (_model.KnownDeviation(i) * _model.KnownDeviation(i));
             s[(i * _shared) + i] += weight;
             right[i] += weight * (_model.Likely(i) - Values[i]);
-        }
-    }
-
-    /// <summary>Returns A⁻¹B.</summary>
-    private double[] Couple(double[] normal, double[] inverse)
-    {
-        double[] coupling = new double[Launch * _shared];
-        for (int i = 0; i < Launch; i++)
-        {
-            for (int j = 0; j < _shared; j++)
-            {
-                double sum = 0;
-                for (int k = 0; k < Launch; k++)
-                {
-                    sum += inverse[(i * Launch) + k] * normal[(k * _size) + Launch + j];
-                }
-
-                coupling[(i * _shared) + j] = sum;
-            }
-        }
-
-        return coupling;
-    }
-
-    /// <summary>Adds S += w (C − Bᵀ A⁻¹B), s += w (c − (A⁻¹B)ᵀ a).</summary>
-    private void Eliminate(double[] normal, double[] gradient, double[] coupling, double weight, double[] s, double[] right)
-    {
-        for (int i = 0; i < _shared; i++)
-        {
-            double left = gradient[Launch + i];
-            for (int k = 0; k < Launch; k++)
-            {
-                left -= coupling[(k * _shared) + i] * gradient[k];
-            }
-
-            right[i] += weight * left;
-            for (int j = 0; j < _shared; j++)
-            {
-                double sum = normal[((Launch + i) * _size) + Launch + j];
-                for (int k = 0; k < Launch; k++)
-                {
-                    sum -= normal[(k * _size) + Launch + i] * coupling[(k * _shared) + j];
-                }
-
-                s[(i * _shared) + j] += weight * sum;
-            }
         }
     }
 
@@ -452,16 +408,5 @@ internal sealed class SharedFit
         }
 
         return product;
-    }
-
-    private void Invert(double[] normal, double[] inverse)
-    {
-        double[] a = new double[Launch * Launch];
-        for (int i = 0; i < a.Length; i++)
-        {
-            a[i] = normal[(i / Launch * _size) + (i % Launch)];
-        }
-
-        Linear.Invert(a, inverse, Launch);
     }
 }
