@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Tracks;
 
 /// <summary>The constraint of a motion at its start.</summary>
@@ -50,24 +48,17 @@ internal sealed class FilterHypothesis
     /// <summary>The greatest ratio of the width of a ray and that of the uncertainty.</summary>
     private const double MostRatio = 6;
 
-    /// <summary>The greatest difference of the upward velocity between rays that move alike, in m/s.</summary>
-    private const double MostChange = 1;
-
     private readonly FilterModel _model;
-    private readonly BallState[] _rays = new BallState[Most + 1];
-    private readonly BallState[] _from = new BallState[Most + 1];
-    private readonly Vector3d[] _places = new Vector3d[Most + 1];
+    private readonly FilterRays _rays;
+    private readonly FilterUpdate _update = new();
     private readonly FilterMoment _old = new();
-    private readonly double[] _widths = new double[Most];
-    private readonly bool[] _isFixed = new bool[Most];
     private readonly double[] _leastWidths = new double[Most];
-    private readonly double[] _trialValues = new double[Most];
-    private readonly double[] _trialSpread = new double[Most * Most];
-    private readonly double[] _gain = new double[Most];
+    private readonly double[] _bounded = new double[Most];
 
     public FilterHypothesis(FilterModel model, int slot)
     {
         _model = model;
+        _rays = new FilterRays(model);
         Slot = slot;
         History = new FilterHistory();
     }
@@ -78,7 +69,7 @@ internal sealed class FilterHypothesis
     public FilterHistory History { get; }
 
     /// <summary>The number of parameters.</summary>
-    public int Count { get; private set; }
+    public int Count => _rays.Count;
 
     /// <summary>The time after which points belong to this hypothesis.</summary>
     public double StartTime { get; private set; }
@@ -127,22 +118,19 @@ internal sealed class FilterHypothesis
 
     public double Prefix { get; private set; }
 
-    /// <summary>The end of the last long step: the rays are there.</summary>
-    private double _strideEnd = double.NegativeInfinity;
-
     /// <summary>True if the ball touches the ground at its start.</summary>
     private bool _lies;
 
     /// <summary>The state before a kick.</summary>
     private BallState _before;
 
-    public ref readonly BallState Ray => ref _rays[0];
+    public ref readonly BallState Ray => ref _rays.States[0];
 
     /// <summary>Starts without a kick. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
     public void Start(double time, double prefix, double kickTime, double kickDeviation, FilterStart kind)
     {
         Kind = kind;
-        Count = Motion;
+        _rays.Count = Motion;
         StartTime = time;
         EndOfKick = time;
         IncludesStart = false;
@@ -158,7 +146,7 @@ internal sealed class FilterHypothesis
     public void Start(in BallState before, double end, double prefix, in Vector3d velocity, FilterStart kind)
     {
         Start(before.Time, prefix, 0, 0, kind);
-        Count = Most;
+        _rays.Count = Most;
         EndOfKick = end;
         _before = before;
         Values[3] = velocity.X;
@@ -176,7 +164,7 @@ internal sealed class FilterHypothesis
 
     public void Transfer(ref FilterStream stream)
     {
-        Count = stream.Whole(Count);
+        _rays.Count = stream.Whole(Count);
         Kind = (FilterStart)stream.Whole((int)Kind);
         StartTime = stream.Number(StartTime);
         EndOfKick = stream.Number(EndOfKick);
@@ -195,11 +183,11 @@ internal sealed class FilterHypothesis
         stream.Numbers(Base);
         stream.Numbers(Values);
         stream.Numbers(Spread);
-        stream.Numbers(_widths);
+        stream.Numbers(_rays.Widths);
         stream.Numbers(_leastWidths);
         stream.Flag(ref _lies);
-        stream.Plain<bool>(_isFixed);
-        stream.Plain<BallState>(_rays);
+        stream.Plain<bool>(_rays.IsFixed);
+        stream.Plain<BallState>(_rays.States);
         Span<BallState> before = [_before];
         stream.Plain(before);
         _before = before[0];
@@ -224,7 +212,7 @@ internal sealed class FilterHypothesis
             while (k < points.Count)
             {
                 // The history needs the motion at each point; before it, positions between long steps suffice.
-                int end = Stride(points, k);
+                int end = _rays.Stride(points, k, EndOfKick);
                 for (; k < end; k++)
                 {
                     Points++;
@@ -232,7 +220,7 @@ internal sealed class FilterHypothesis
                 }
             }
 
-            _strideEnd = double.NegativeInfinity;
+            _rays.EndStride();
             if (!IsFar(1))
             {
                 break;
@@ -264,18 +252,18 @@ internal sealed class FilterHypothesis
         if (!last.IsSmooth)
         {
             // Between rays before and after an impact there is no linear motion.
-            Array.Copy(Values, _trialValues, Most);
-            _trialValues[Twist] = Bounded(Twist);
-            _trialValues[Upward] = Bounded(Upward);
-            _trialValues[Moment] = Bounded(Moment);
-            BallState state = Launch(_trialValues, 0, 0);
+            Array.Copy(Values, _bounded, Most);
+            _bounded[Twist] = Bounded(Twist);
+            _bounded[Upward] = Bounded(Upward);
+            _bounded[Moment] = Bounded(Moment);
+            BallState state = Launch(_bounded, 0, 0);
             _model.Run(ref state, last.Time);
-            Read(in state, motion);
+            FilterRays.Read(in state, motion);
             return;
         }
 
         ReadOnlySpan<double> jacobian = last.Jacobian;
-        Read(in _rays[0], motion);
+        FilterRays.Read(in Ray, motion);
         for (int i = 0; i < Motion; i++)
         {
             for (int j = 0; j < Count; j++)
@@ -283,14 +271,6 @@ internal sealed class FilterHypothesis
                 motion[i] += jacobian[(i * Most) + j] * (Values[j] - Base[j]);
             }
         }
-    }
-
-    private static void Read(in BallState state, Span<double> motion)
-    {
-        (motion[0], motion[1], motion[2]) = (state.Position.X, state.Position.Y, state.Position.Z);
-        (motion[3], motion[4], motion[5]) = (state.Velocity.X, state.Velocity.Y, state.Velocity.Z);
-        Vector3d spin = state.Spin;
-        (motion[6], motion[7], motion[8]) = (spin.X, spin.Y, spin.Z);
     }
 
     /// <summary>Starts the rays at the estimate.</summary>
@@ -312,15 +292,15 @@ internal sealed class FilterHypothesis
             start = Launch(Base, 0, 0);
         }
 
-        _rays[0] = start;
+        _rays.States[0] = start;
         for (int j = 0; j < Count; j++)
         {
             double width = Width(j);
             _leastWidths[j] = 0;
-            _isFixed[j] = Prior[(j * Most) + j] == 0;
-            if (_isFixed[j])
+            _rays.IsFixed[j] = Prior[(j * Most) + j] == 0;
+            if (_rays.IsFixed[j])
             {
-                _widths[j] = width;
+                _rays.Widths[j] = width;
                 continue;
             }
 
@@ -336,8 +316,8 @@ internal sealed class FilterHypothesis
                 width = Base[Moment] > 0.5 * (StartTime + EndOfKick) ? -width : width;
             }
 
-            _widths[j] = width;
-            _rays[j + 1] = Launch(Base, j, width);
+            _rays.Widths[j] = width;
+            _rays.States[j + 1] = Launch(Base, j, width);
         }
     }
 
@@ -365,38 +345,12 @@ internal sealed class FilterHypothesis
     /// <summary>Moves the rays to a point and updates the estimate.</summary>
     private void Include(ref FilterPoint point, bool isOnly)
     {
-        bool isOld = point.Time <= _strideEnd;
-        for (int j = 0; j <= Count; j++)
-        {
-            if (j > 0 && _isFixed[j - 1])
-            {
-                _places[j] = _places[0];
-                continue;
-            }
-
-            if (!isOld)
-            {
-                _model.Run(ref _rays[j], point.Time);
-            }
-
-            _places[j] = isOld ? Between(in _from[j], in _rays[j], point.Time) : _rays[j].Position;
-        }
-
+        bool isOld = _rays.Move(point.Time);
         FilterMoment moment = isOld ? _old : History.Push();
-        Observe(in point, moment);
+        _rays.Observe(in point, moment);
 
-        // 1. Update by one coordinate after the other, on a copy. 2. Keep the copy unless a wrong point is more likely.
-        Array.Copy(Values, _trialValues, Most);
-        Array.Copy(Spread, _trialSpread, Spread.Length);
-        double variance = point.Deviation * point.Deviation;
-        double squares = 0;
-        double ratio = 1;
-        for (int row = 0; row < point.Rows; row++)
-        {
-            Correct(moment.Rows.AsSpan(row * Most, Most), moment.Residual[row], variance, ref squares, ref ratio);
-        }
-
-        double right = -0.5 * (squares + Elementary.Log(ratio));
+        // Update a copy, and keep it unless a wrong point is more likely.
+        double right = _update.Try(this, in point, moment);
         double wrong = _model.LogOutlier + FilterModel.LogOutlierDensity(in point);
 
         // A start without a path before it is at its first point. A kick that one point shows explains that point.
@@ -413,8 +367,7 @@ internal sealed class FilterHypothesis
             Evidence += right;
             RejectedInRow = 0;
             Used++;
-            Array.Copy(_trialValues, Values, Most);
-            Array.Copy(_trialSpread, Spread, Spread.Length);
+            _update.Keep(this);
         }
 
         if (isOld)
@@ -422,168 +375,15 @@ internal sealed class FilterHypothesis
             return;
         }
 
-        Differentiate(moment.Jacobian);
+        _rays.Differentiate(moment.Jacobian);
         moment.Time = point.Time;
-        moment.IsSmooth = IsSmooth();
-        moment.Rolls = Rolls();
+        moment.IsSmooth = _rays.AreSmooth();
+        moment.Rolls = _rays.Roll();
         moment.Deviation = point.Deviation;
         moment.Coordinates = RejectsLast ? 0 : point.Rows;
         moment.Evidence = Evidence;
         Estimate(moment.Motion);
         Array.Copy(Spread, moment.Spread, Spread.Length);
-    }
-
-    /// <summary>Moves the rays over several points that are older than the history, if no ray has an event on the way.</summary>
-    /// <returns>The index after the last point that <see cref="Include"/> may now read.</returns>
-    private int Stride(FilterPoints points, int first)
-    {
-        int end = first;
-        double from = _rays[0].Time;
-        while (end < points.Count - FilterHistory.Room && points[end].Time - from <= FilterModel.LongestStep && points[end].Time > from)
-        {
-            end++;
-        }
-
-        _strideEnd = double.NegativeInfinity;
-        if (end < first + 2 || Count == Most && from < EndOfKick)
-        {
-            return first + 1;
-        }
-
-        double last = points[end - 1].Time;
-        Array.Copy(_rays, _from, Count + 1);
-        for (int j = 0; j <= Count; j++)
-        {
-            if (!(j > 0 && _isFixed[j - 1]) && !_model.RunSmoothly(ref _rays[j], last))
-            {
-                Array.Copy(_from, _rays, Count + 1);
-                return first + 1;
-            }
-        }
-
-        _strideEnd = last;
-        return end;
-    }
-
-    /// <summary>Returns the position between two states of a smooth motion, by a cubic.</summary>
-    private static Vector3d Between(in BallState from, in BallState to, double time)
-    {
-        double span = to.Time - from.Time;
-        double s = (time - from.Time) / span;
-        double r = 1 - s;
-        return (r * r * (1 + (2 * s)) * from.Position) + (s * s * (1 + (2 * r)) * to.Position) + (span * s * r * ((r * from.Velocity) - (s * to.Velocity)));
-    }
-
-    /// <summary>True if all rays move alike: none is before an impact that another one is after.</summary>
-    private bool IsSmooth()
-    {
-        for (int j = 1; j <= Count; j++)
-        {
-            if (_isFixed[j - 1])
-            {
-                continue;
-            }
-
-            if (_rays[j].Motion != _rays[0].Motion || Math.Abs(_rays[j].Velocity.Y - _rays[0].Velocity.Y) > MostChange)
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
-    /// <summary>True if all rays roll or rest.</summary>
-    private bool Rolls()
-    {
-        for (int j = 0; j <= Count; j++)
-        {
-            if (!(j > 0 && _isFixed[j - 1]) && _rays[j].Motion is not (MotionState.Rolling or MotionState.Rest))
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
-    /// <summary>Computes the derivatives of the motion, from the differences of the rays.</summary>
-    private void Differentiate(double[] jacobian)
-    {
-        Span<double> motion = stackalloc double[Motion];
-        Span<double> ray = stackalloc double[Motion];
-        Read(in _rays[0], motion);
-        for (int j = 0; j < Count; j++)
-        {
-            Read(in _rays[_isFixed[j] ? 0 : j + 1], ray);
-            double inverse = 1 / _widths[j];
-            for (int i = 0; i < Motion; i++)
-            {
-                jacobian[(i * Most) + j] = inverse * (ray[i] - motion[i]);
-            }
-        }
-    }
-
-    /// <summary>Computes the residual of a point at the base, its derivatives with respect to the parameters, and those with respect to the position.</summary>
-    private void Observe(in FilterPoint point, FilterMoment moment)
-    {
-        Vector3d expected = point.Of(_places[0]);
-        Vector3d residual = point.Measured - expected;
-        for (int row = 0; row < point.Rows; row++)
-        {
-            moment.Residual[row] = residual.Along(row);
-        }
-
-        for (int j = 0; j < Count; j++)
-        {
-            Vector3d change = (point.Of(_places[j + 1]) - expected) / _widths[j];
-            for (int row = 0; row < point.Rows; row++)
-            {
-                moment.Rows[(row * Most) + j] = change.Along(row);
-            }
-        }
-
-        const double Step = 1e-3;
-        for (int axis = 0; axis < 3; axis++)
-        {
-            Vector3d change = (point.Of(_places[0] + (Step * Vector3d.Axis(axis))) - expected) / Step;
-            for (int row = 0; row < point.Rows; row++)
-            {
-                moment.ByPosition[(row * 3) + axis] = change.Along(row);
-            }
-        }
-    }
-
-    private void Correct(ReadOnlySpan<double> row, double residual, double variance, ref double squares, ref double ratio)
-    {
-        int n = Count;
-        double sum = variance;
-        for (int i = 0; i < n; i++)
-        {
-            double value = 0;
-            for (int j = 0; j < n; j++)
-            {
-                value += _trialSpread[(i * Most) + j] * row[j];
-            }
-
-            _gain[i] = value;
-            sum += row[i] * value;
-            residual -= row[i] * (_trialValues[i] - Base[i]);
-        }
-
-        sum = Math.Max(sum, variance);
-        double inverse = 1 / sum;
-        squares += residual * residual * inverse;
-        ratio *= sum / variance;
-        for (int i = 0; i < n; i++)
-        {
-            double gain = inverse * _gain[i];
-            _trialValues[i] += gain * residual;
-            for (int j = 0; j < n; j++)
-            {
-                _trialSpread[(i * Most) + j] -= gain * _gain[j];
-            }
-        }
     }
 
     /// <summary>True if the estimate is this many widths from the rays, or the rays are much wider than the uncertainty.</summary>
@@ -592,7 +392,7 @@ internal sealed class FilterHypothesis
         for (int j = 0; j < Count; j++)
         {
             double width = Math.Max(Width(j), _leastWidths[j]);
-            if (!_isFixed[j] && !(Math.Abs(Bounded(j) - Base[j]) <= most * width) || (!_isFixed[j] && Math.Abs(_widths[j]) > MostRatio * width))
+            if (!_rays.IsFixed[j] && !(Math.Abs(Bounded(j) - Base[j]) <= most * width) || (!_rays.IsFixed[j] && Math.Abs(_rays.Widths[j]) > MostRatio * width))
             {
                 return true;
             }
