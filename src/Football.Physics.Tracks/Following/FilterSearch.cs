@@ -20,10 +20,6 @@ internal sealed class FilterSearch
     private const int StartAgo = 3;
     private const double LogStart = -12;
 
-    /// <summary>The standard deviation of the position at a start, in m: by a position, and by a pixel.</summary>
-    private const double StartDeviation = 10;
-    private const double PixelStartDeviation = 30;
-
     /// <summary>The first guess of the upward velocity after a kick if no point has a height, in m/s.</summary>
     private const double KickedUp = 3;
 
@@ -39,20 +35,18 @@ internal sealed class FilterSearch
     /// <summary>The number of points after a start in which a kick is not sought: the motion of the start is still unknown.</summary>
     private const int Fresh = 4;
 
-    /// <summary>The least standard deviations of a condensed start, for position, velocity and spin.</summary>
-    private static readonly double[] Floor = [3e-4, 2e-3, 0.05];
-
     private readonly FilterModel _model;
     private readonly FilterPoints _points;
     private readonly FilterHypothesis[] _slots = new FilterHypothesis[Slots];
+    private readonly FilterPriors _priors;
     private readonly FilterGain _gain = new();
     private readonly double[] _slopes = new double[FilterHistory.Room];
-    private readonly double[] _covariance = new double[FilterHypothesis.Motion * FilterHypothesis.Motion];
 
     public FilterSearch(FilterModel model, FilterPoints points)
     {
         _model = model;
         _points = points;
+        _priors = new FilterPriors(model.Settings);
         for (int i = 0; i < Slots; i++)
         {
             _slots[i] = new FilterHypothesis(model, i);
@@ -185,21 +179,8 @@ internal sealed class FilterSearch
         }
 
         FilterMoment moment = history[at];
-        FilterMath.Covariance(moment, old.Count, _covariance);
-        Array.Clear(old.Prior, 0, old.Prior.Length);
-        for (int i = 0; i < FilterHypothesis.Motion; i++)
-        {
-            old.Mean[i] = moment.Motion[i];
-            for (int j = 0; j < FilterHypothesis.Motion; j++)
-            {
-                old.Prior[(i * FilterHypothesis.Most) + j] = _covariance[(i * FilterHypothesis.Motion) + j];
-            }
-
-            old.Prior[(i * FilterHypothesis.Most) + i] += Floor[i / 3] * Floor[i / 3];
-        }
-
         FilterStart kind = moment.Rolls ? FilterStart.Rolling : FilterStart.Free;
-        Constrain(old, kind);
+        _priors.SetMoment(old, moment, kind);
         old.Start(moment.Time, moment.Evidence, old.KickTime, old.KickDeviation, kind);
         old.Fit(_points, 1);
     }
@@ -274,40 +255,13 @@ internal sealed class FilterSearch
             bool Try(bool skipsFirst)
             {
                 FilterHypothesis kick = _slots[Count];
-                SetKickPrior(kick, before, best.Count, span);
-                Constrain(kick, kind);
+                _priors.SetKick(kick, before, best.Count, span, kind);
                 kick.Start(in state, end, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), in velocity, kind);
                 kick.SkipsFirst = skipsFirst;
                 kick.Fit(_points, Iterations);
                 Keep();
                 return !kick.RejectsLast;
             }
-        }
-    }
-
-    /// <summary>Removes the parameters that a start on the ground does not have.</summary>
-    private static void Constrain(FilterHypothesis start, FilterStart kind)
-    {
-        if (kind != FilterStart.Free)
-        {
-            Fix(start, 1);
-            Fix(start, 4);
-        }
-
-        if (kind == FilterStart.Rolling)
-        {
-            Fix(start, 6);
-            Fix(start, 8);
-        }
-    }
-
-    private static void Fix(FilterHypothesis start, int parameter)
-    {
-        start.Mean[parameter] = 0;
-        for (int i = 0; i < FilterHypothesis.Most; i++)
-        {
-            start.Prior[(i * FilterHypothesis.Most) + parameter] = 0;
-            start.Prior[(parameter * FilterHypothesis.Most) + i] = 0;
         }
     }
 
@@ -330,40 +284,6 @@ internal sealed class FilterSearch
         }
 
         return true;
-    }
-
-    private void SetKickPrior(FilterHypothesis kick, FilterMoment before, int count, double span)
-    {
-        // The position of the path at the middle of the interval: P + T (Ppv + Pvp) + T² Pvv.
-        double half = 0.5 * span;
-        FilterMath.Covariance(before, count, _covariance);
-        Array.Clear(kick.Prior, 0, kick.Prior.Length);
-        Array.Clear(kick.Mean, 0, kick.Mean.Length);
-        for (int i = 0; i < 3; i++)
-        {
-            for (int j = 0; j < 3; j++)
-            {
-                kick.Prior[(i * FilterHypothesis.Most) + j] = Part(i, j) + (half * (Part(i, j + 3) + Part(i + 3, j))) + (half * half * Part(i + 3, j + 3));
-            }
-
-            kick.Prior[(i * FilterHypothesis.Most) + i] += Floor[0] * Floor[0];
-        }
-
-        SetMotionPrior(kick);
-        kick.Mean[9] = before.Time + half;
-        kick.Prior[(9 * FilterHypothesis.Most) + 9] = span * span / 12;
-
-        double Part(int i, int j) => _covariance[(i * FilterHypothesis.Motion) + j];
-    }
-
-    private void SetMotionPrior(FilterHypothesis start)
-    {
-        BallFilterSettings settings = _model.Settings;
-        for (int i = 3; i < FilterHypothesis.Motion; i++)
-        {
-            double deviation = i < 6 ? settings.KickVelocity : settings.KickSpin;
-            start.Prior[(i * FilterHypothesis.Most) + i] = deviation * deviation;
-        }
     }
 
     /// <summary>Guesses the velocity after a kick: the median of the slopes to the points since then, corrected for gravity.</summary>
@@ -420,17 +340,7 @@ internal sealed class FilterSearch
             }
 
             FilterHypothesis start = _slots[Count];
-            Array.Clear(start.Prior, 0, start.Prior.Length);
-            Array.Clear(start.Mean, 0, start.Mean.Length);
-            double deviation = point.Kind == FilterPointKind.Pixel ? PixelStartDeviation : StartDeviation;
-            for (int i = 0; i < 3; i++)
-            {
-                start.Mean[i] = guess.Along(i);
-                start.Prior[(i * FilterHypothesis.Most) + i] = deviation * deviation;
-            }
-
-            SetMotionPrior(start);
-            Constrain(start, kind);
+            _priors.SetStart(start, in point, in guess, kind);
             start.Start(point.Time, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), double.NegativeInfinity, 0, kind);
             start.IncludesStart = true;
             start.Fit(_points, Iterations);
