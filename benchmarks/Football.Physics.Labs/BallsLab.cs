@@ -33,9 +33,21 @@ internal static class BallsLab
     /// <summary>What the drag curve of each preset rests on.</summary>
     private static readonly Dictionary<string, string> Tags = new()
     {
-        ["modern"] = "measured in one match", ["generic"] = "derived: mean of three", ["tango12"] = "measured", ["teamgeist"] = "measured", ["jabulani"] = "measured",
-        ["brazuca"] = "measured", ["telstar18"] = "derived", ["flight2020"] = "guess", ["alRihla"] = "derived", ["fussballliebe"] = "guess", ["trionda"] = "crisis measured, rest guess",
-        ["youthFootball"] = "modern's", ["futsal"] = "modern's", ["beachBall"] = "derived: smooth sphere", ["medicineBall"] = "generic's",
+        ["modern"] = "measured in one match",
+        ["generic"] = "derived: mean of three",
+        ["tango12"] = "measured",
+        ["teamgeist"] = "measured",
+        ["jabulani"] = "measured",
+        ["brazuca"] = "measured",
+        ["telstar18"] = "derived",
+        ["flight2020"] = "guess",
+        ["alRihla"] = "derived",
+        ["fussballliebe"] = "guess",
+        ["trionda"] = "crisis measured, rest guess",
+        ["youthFootball"] = "modern's",
+        ["futsal"] = "modern's",
+        ["beachBall"] = "derived: smooth sphere",
+        ["medicineBall"] = "generic's",
     };
 
     private static void Run(LabRun run)

@@ -31,6 +31,7 @@ internal sealed unsafe class CallArguments
     private readonly string[] _requests;
     private readonly List<nint> _scenes = [0];
     private readonly List<nint> _matches = [0];
+    private readonly List<nint> _filters = [0];
     private readonly byte[] _before = new byte[Size];
     private readonly byte[] _snapshot = new byte[Snapshot.Size];
     private byte[] _saved = [];
@@ -49,6 +50,9 @@ internal sealed unsafe class CallArguments
 
     /// <summary>The same for matches.</summary>
     public IReadOnlyList<nint> Matches => _matches;
+
+    /// <summary>The handles of filters.</summary>
+    public IReadOnlyList<nint> Filters => _filters;
 
     /// <summary>Reads the arguments of a call.</summary>
     public long[] Of(NativeCall call)
@@ -112,7 +116,7 @@ internal sealed unsafe class CallArguments
         return IsHandle(type.GetElementType()) || (isDone && type.IsPointer && !IsHandle(type) && !parameter.IsDefined(typeof(InAttribute)));
     }
 
-    private static bool IsHandle(Type? type) => type == typeof(NativeScene*) || type == typeof(NativeMatch*);
+    private static bool IsHandle(Type? type) => type == typeof(NativeScene*) || type == typeof(NativeMatch*) || type == typeof(NativeFilter*);
 
     /// <summary>Saved matches and recordings.</summary>
     private static bool IsSaved(ParameterInfo parameter) => parameter.ParameterType == typeof(CByte*) && parameter.Name is "bytes" or "recording";
@@ -143,6 +147,7 @@ internal sealed unsafe class CallArguments
             : type == typeof(int) || type == typeof(long) ? Whole(parameter)
             : type == typeof(NativeScene*) ? Handle(_scenes)
             : type == typeof(NativeMatch*) ? Handle(_matches)
+            : type == typeof(NativeFilter*) ? Handle(_filters)
             : _program.Byte() is var token && token == Null ? 0
             : type == typeof(NativeState*) ? Ball(token)
             : (nint)Filled(parameter, slot, token);
@@ -240,9 +245,9 @@ internal sealed unsafe class CallArguments
     /// <summary>Keeps a handle, or the bytes of a state, for the calls that follow.</summary>
     private void Keep(ParameterInfo parameter, ReadOnlySpan<byte> written)
     {
-        if (parameter.ParameterType == typeof(NativeScene**) || parameter.ParameterType == typeof(NativeMatch**))
+        if (IsHandle(parameter.ParameterType.GetElementType()))
         {
-            (parameter.ParameterType == typeof(NativeScene**) ? _scenes : _matches).Add(MemoryMarshal.Read<nint>(written));
+            (parameter.ParameterType == typeof(NativeScene**) ? _scenes : parameter.ParameterType == typeof(NativeMatch**) ? _matches : _filters).Add(MemoryMarshal.Read<nint>(written));
         }
         else if (IsSaved(parameter))
         {

@@ -41,6 +41,7 @@ internal sealed class CallFuzz : FuzzTarget
     private static readonly NativeCall s_error = Call("fp_last_error");
     private static readonly NativeCall s_free = Call("fp_scene_free");
     private static readonly NativeCall s_freeMatch = Call("fp_match_free");
+    private static readonly NativeCall s_freeFilter = Call("fp_filter_free");
     private static readonly NativeCall s_read = Call("fp_read");
 
     public override string Name => "calls";
@@ -122,6 +123,11 @@ internal sealed class CallFuzz : FuzzTarget
         foreach (nint match in arguments.Matches)
         {
             s_freeMatch.Invoke([match]);
+        }
+
+        foreach (nint filter in arguments.Filters)
+        {
+            s_freeFilter.Invoke([filter]);
         }
     }
 
