@@ -22,6 +22,9 @@ internal sealed class SharedFit
     /// <summary>The ratio to the median residual above which a flight has less weight in the shared parameters.</summary>
     private const double Strange = 2.5;
 
+    /// <summary>The minimum error of the laws as a share of a point's variance, even if a flight happens to fit better: wind and drag are known no better.</summary>
+    private const double LeastScatter = 0.4;
+
     /// <summary>The share of a systematic misfit that acts alike at all points of a flight.</summary>
     private const double CommonShare = 0.3;
 
@@ -161,7 +164,7 @@ internal sealed class SharedFit
         {
             normals[i] = new double[_size * _size];
             gradients[i] = new double[_size];
-            reduced[i] = shares[i] / Inflation(flights[i]);
+            reduced[i] = shares[i] / Math.Max(LeastScatter, Inflation(flights[i]));
         }
 
         _system.KeepsScatter = true;
