@@ -112,7 +112,7 @@ internal sealed partial class CHeader
         Line("#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : "
             + $"fp_check_structs({string.Join(", ", structs.Select(name => $"(int32_t)sizeof(fp_{name})"))}))");
         Line();
-        Line("/* The names before version 0.2, for one more version. <math.h> also begins names with FP_. */");
+        Line("/* The former names of these macros, for one more version. <math.h> also begins names with FP_. */");
         Line("#define FP_ABI_VERSION FOOTBALL_ABI_VERSION");
         Line("#define FP_SNAPSHOT_BYTES FOOTBALL_SNAPSHOT_BYTES");
         Line("#define FP_CHECK_ABI() FOOTBALL_CHECK_ABI()");

@@ -1215,7 +1215,7 @@ FOOTBALL_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const doubl
 /** Checks that this header matches the library. Other languages call fp_check_sizes. */
 #define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result), (int32_t)sizeof(fp_impact_result), (int32_t)sizeof(fp_filter_settings), (int32_t)sizeof(fp_estimate)))
 
-/* The names before version 0.2, for one more version. <math.h> also begins names with FP_. */
+/* The former names of these macros, for one more version. <math.h> also begins names with FP_. */
 #define FP_ABI_VERSION FOOTBALL_ABI_VERSION
 #define FP_SNAPSHOT_BYTES FOOTBALL_SNAPSHOT_BYTES
 #define FP_CHECK_ABI() FOOTBALL_CHECK_ABI()
