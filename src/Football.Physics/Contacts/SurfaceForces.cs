@@ -16,6 +16,9 @@ internal struct SurfaceForces
     /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
     public Vector3d Surface;
 
+    /// <summary>s, the slip relative to the carrier, m/s; zero in a roll.</summary>
+    public Vector3d Slip;
+
     /// <summary>A, the rate of change of V_c along the path, m/s²; 0 if the carrier does not rotate.</summary>
     public Vector3d SurfaceRate;
 

@@ -227,6 +227,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         }
 
         Vector3d n = on.Normal;
+        on.Slip = Rolls ? Vector3d.Zero : Slip.Of(at.Velocity - on.Surface, in at.Spin, in n, World.Ball.Radius);
 
         // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
         Vector3d body = Around.Weight;
@@ -306,10 +307,6 @@ internal unsafe struct SurfaceSystem : IContactMotion
     public readonly bool Rests(in SurfaceForces on) =>
         (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= MostRolling(in on, 0);
 
-    /// <summary>Returns the slip velocity relative to the carrier, m/s.</summary>
-    public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>
-        Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
-
     /// <summary>True if friction can hold the ball without slip.</summary>
     public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= MostFriction(in on);
 
@@ -355,7 +352,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Vector3d n = on.Normal;
 
         // Use ŝ, or the initial direction if the slip has reversed within a stage: friction can stop the slip but not reverse it.
-        Vector3d slip = FollowsPush ? SlipPush(in on, in at.Spin) : SlipOf(in at, in on);
+        Vector3d slip = FollowsPush ? SlipPush(in on, in at.Spin) : on.Slip;
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = MostFriction(in on);

@@ -84,7 +84,7 @@ internal sealed class ContactLoad
         SurfaceSystem system = System(in s, carrier);
         var motion = new Motion(s.Position, in velocity, in spin);
         system.Look(s.Time, in motion);
-        Vector3d slip = system.SlipOf(in motion, in system.Forces);
+        Vector3d slip = system.Forces.Slip;
         system.Rolls = slip.Length < ContactTolerances.Rolling;
         system.Direction = system.Rolls ? system.Forces.Rolling : slip;
         Vector3d acceleration = system.Direction == Vector3d.Zero ? Vector3d.Zero : system.RatesAt(in motion).Acceleration;

@@ -40,7 +40,7 @@ internal static class SlowSlip
 
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         sweep.System.ForcesOn(s.Time, in from, out SurfaceForces first);
-        Vector3d start = sweep.System.SlipOf(in from, in first);
+        Vector3d start = first.Slip;
         sweep.Evaluations++;
         for (int i = 0; i < MostTries; i++)
         {
@@ -49,7 +49,7 @@ internal static class SlowSlip
             sweep.Evaluations++;
 
             // Beyond an edge, the push is another one: there, the change of the slip bounds the error.
-            double off = Math.Min(Off(in sweep.System, in on, in end), 2.0 * (sweep.System.SlipOf(in end, in on) - start).Length);
+            double off = Math.Min(Off(in sweep.System, in on, in end), 2.0 * (on.Slip - start).Length);
             if (off <= ContactTolerances.SlowSlip)
             {
                 return;
@@ -62,7 +62,7 @@ internal static class SlowSlip
     /// <summary>Returns the error of the direction as a velocity, m/s: the slip across the push, and its lag, which turns as fast as the normal.</summary>
     private static double Off(in SurfaceSystem system, in SurfaceForces on, in Motion at)
     {
-        Vector3d slip = system.SlipOf(in at, in on);
+        Vector3d slip = on.Slip;
         Vector3d push = system.SlipPush(in on, in at.Spin);
         double along = Vector3d.Dot(in slip, in push);
         double across = (slip - (along / push.LengthSquared * push)).Length;

@@ -145,7 +145,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         piece.System.KeepsGrip = NetGuard.KeepsGrip(in s, in run);
         bool grips = piece.System.Grips(in piece.System.Forces) || piece.System.KeepsGrip;
-        Vector3d moving = rolls ? piece.System.Forces.Rolling : piece.System.SlipOf(in piece.From, in piece.System.Forces);
+        Vector3d moving = rolls ? piece.System.Forces.Rolling : piece.System.Forces.Slip;
         piece.Size = moving.Length;
 
         // A rolling ball that needs more traction than friction provides starts to slide.
