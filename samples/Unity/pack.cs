@@ -2,7 +2,7 @@
 #:property RestorePackagesWithLockFile=false
 #:property NoWarn=$(NoWarn);CS1591;CA1852
 
-// Builds the library and its engine part for Unity, puts them into the package's Plugins, and packs the package for the package manager. It needs only the .NET SDK.
+// Builds the library, its part for many balls and its engine part for Unity, puts them into the package's Plugins, and packs the package for the package manager. It needs only the .NET SDK.
 //   dotnet run samples/Unity/pack.cs [DIR]                  the .tgz in DIR (default out)
 //   dotnet run samples/Unity/pack.cs --branch NAME          the built package as the only content of a git branch, for Unity's "Install package from git URL"
 // --native DIR, before these and as often as you like: with the C library that src/Football.Physics.Native/build.sh built into DIR, for jobs in Burst.
@@ -29,7 +29,7 @@ if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0
     return 2;
 }
 
-foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines"])
+foreach (string part in (string[])["Football.Physics", "Football.Physics.Batch", "Football.Physics.Engines"])
 {
     // Write to the error stream: the standard output contains only the path of the tarball.
     Console.Error.WriteLine($"Building {part}");

@@ -20,7 +20,7 @@ public sealed partial class UnityFolderTests
     {
         string[] assets = [.. Directory.EnumerateFileSystemEntries(Full, "*", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(Full, path).Replace('\\', '/'))
             .Where(path => !path.EndsWith(".meta", StringComparison.Ordinal) && path != "Samples~" && !path.StartsWith("Documentation~", StringComparison.Ordinal)),
-            "Plugins/Football.Physics.dll", "Plugins/Football.Physics.xml", "Plugins/Football.Physics.Engines.dll", "Plugins/Football.Physics.Engines.xml"];
+            "Plugins/Football.Physics.dll", "Plugins/Football.Physics.xml", "Plugins/Football.Physics.Batch.dll", "Plugins/Football.Physics.Batch.xml", "Plugins/Football.Physics.Engines.dll", "Plugins/Football.Physics.Engines.xml"];
         string[] metas = [.. Directory.EnumerateFiles(Full, "*.meta", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(Full, path).Replace('\\', '/')[..^".meta".Length])];
         Assert.Equal(assets.Distinct().Order(StringComparer.Ordinal), metas.Order(StringComparer.Ordinal));
         string[] ids = [.. metas.Select(path => Id().Match(Repository.Text($"{Folder}/{path}.meta")).Groups[1].Value)];
