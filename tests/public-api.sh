@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the public surface anew into PublicAPI.Unshipped.txt of the library and of its parts, from what the analyzer finds that is not on record.
-# Look at the differences before committing them: what is gone or changed goes into docs/changelog.md, a new name into docs/internals/renamed.csv.
+# Look at the differences before committing them: what is gone or changed since the last release goes into docs/changelog.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../src"
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes anew what is generated from the code: the golden hashes (golden.sh does those alone), docs/api.md, what the programs in README.md and docs/ print, the
-# tables of docs/internals/accuracy.md, and the errors of the reference cases, the C header and the hashes of tests/Native; and lowers the ceilings of tests/ceilings.tsv.
+# table of docs/internals/accuracy.md, and the errors of the reference cases, the C header and the hashes of tests/Native; and lowers the ceilings of tests/ceilings.tsv.
 # Look at the differences before committing them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

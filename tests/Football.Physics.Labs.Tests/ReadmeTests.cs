@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace FootballPhysics.Labs.Tests;
 
-/// <summary>The tables of the page on accuracy and speed are what its commands print: the lab's errors, and the rows of docs/internals/benchmarks.md.</summary>
+/// <summary>The table of the page on accuracy is what its commands print.</summary>
 public sealed class ReadmeTests
 {
     private const string Page = "docs/internals/accuracy.md";
@@ -29,30 +29,6 @@ public sealed class ReadmeTests
         }
 
         RepositoryFiles.AssertBetween(Page, "<!-- errors, from the lab -->\n", "\n<!-- /errors -->", table.ToString());
-    }
-
-    [Fact]
-    public void Its_times_are_those_of_the_page_of_benchmarks()
-    {
-        string[][] rows = [.. RepositoryFiles.Text("docs/internals/benchmarks.md").Split('\n').Where(line => line.StartsWith('|')).Select(line => line.Split('|').Select(cell => cell.Trim()).ToArray())];
-        var table = new StringBuilder("\n| | ns | ratio | reach | | error | thesis (Unity) |\n|---|--:|--:|--:|---|--:|--:|\n");
-        foreach (string name in new[] { "RK2", "RK4" }.Select(method => $"a kick from foot to rest at 60 Hz, {method}, of a flight step"))
-        {
-            string[] row = rows.First(r => r[1] == name);
-            table.Append(CultureInfo.InvariantCulture, $"| {name} | {row[2]} | {row[4]} | {row[5]} | {row[6]} | – | – |\n");
-        }
-
-        foreach (string name in new[]
-        {
-            "flight step, fast: RK2", "flight step, fast: RK4", "constant coefficients, RK2, of plain all-forces RK2", "3 s look-ahead, default scene, RK4, 80 ms steps, in plain RK2 steps",
-            "many balls, 256-bit, fast: RK4", "many balls, 512-bit, fast: RK4", "many aims, 256-bit, to 1 mm, in plain RK2 steps",
-        })
-        {
-            string[] row = rows.First(r => r[1] == name);
-            table.Append(CultureInfo.InvariantCulture, $"| {name} | {row[2]} | {row[4]} | {row[5]} | {row[6]} | {row[8]} | {row[9]} |\n");
-        }
-
-        RepositoryFiles.AssertBetween(Page, "<!-- times, from docs/internals/benchmarks.md -->\n", "\n<!-- /times -->", table.ToString());
     }
 
     private static JsonElement Rows(string lab) => FootballCommand.Run("", "lab", lab).Result.GetProperty("tables")[0].GetProperty("rows");

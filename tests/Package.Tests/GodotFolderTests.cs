@@ -160,7 +160,7 @@ public sealed partial class GodotFolderTests
 
         // Before the first build Godot cannot load a C# plugin, and says so: the user switches it on.
         Assert.DoesNotContain("[editor_plugins]", Repository.Text(Folder + "/project.godot"));
-        Assert.Contains("value=\"feed\"", Repository.Text(Folder + "/NuGet.config"));
+        Assert.Contains("value=\"../../../feed\"", Repository.Text(Folder + "/NuGet.config"));
         Assert.Contains("script=\"FootballPlugin.cs\"", Repository.Text(Addon + "/plugin.cfg"));
         Assert.Equal(Repository.Text("LICENSE"), Repository.Text(Addon + "/LICENSE.md"));
     }

@@ -5,7 +5,7 @@ public sealed class ProseTests
 {
     private const double Limit = 3;
 
-    private static readonly string[] s_generated = ["docs/api.md", "docs/internals/benchmarks.md"];
+    private static readonly string[] s_generated = ["docs/api.md"];
 
     public static TheoryData<string> Pages => [.. Repository.Pages.Except(s_generated).Append("tests/README.md").Append("samples/Network/README.md")
         .Append("samples/Unity/com.football.physics/Documentation~/index.md").Append("samples/Godot/addons/football_physics/README.md")];

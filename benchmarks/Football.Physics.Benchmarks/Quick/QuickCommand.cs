@@ -60,17 +60,26 @@ internal static class QuickCommand
         string text = Report(seconds, only, string.Join(' ', arguments));
         if (markdown is not null)
         {
-            File.WriteAllText(markdown, text);
+            WritePage(markdown, text);
             Console.WriteLine($"Written to {markdown}.");
         }
 
         return 0;
     }
 
+    /// <summary>Writes the tables between the marks of a page; a file without marks is replaced.</summary>
+    private static void WritePage(string file, string text)
+    {
+        const string Begin = "<!-- timings, from quick -->\n", End = "<!-- /timings -->";
+        string page = File.Exists(file) ? File.ReadAllText(file) : "";
+        int begin = page.IndexOf(Begin, StringComparison.Ordinal), end = page.IndexOf(End, StringComparison.Ordinal);
+        File.WriteAllText(file, begin >= 0 && end > begin ? $"{page[..(begin + Begin.Length)]}\n{text.TrimEnd()}\n\n{page[end..]}" : text);
+    }
+
     private static string Report(double seconds, string? only, string arguments)
     {
         var text = new StringBuilder();
-        Print(text, "# Benchmarks");
+        Print(text, "## All timings");
         Print(text, "");
         Print(text, $"{DateTime.UtcNow:yyyy-MM-dd}, {Machine.Description}, {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.OSDescription.Trim()}.");
         Print(text, $"Written by `dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick {arguments}`.");
