@@ -28,7 +28,6 @@ SCRIPTS = {
     "docs/c.md#c-c-and-unreal": "tests/native.sh",
     "docs/c.md#lua-and-love2d": "tests/native.sh",
     "docs/c.md#rust": "tests/native.sh",
-    "docs/c.md#javascript-npm-web-pages-and-threejs": "tests/npm.sh",
     "docs/c.md#threejs": "tests/npm.sh",
     "docs/command-line.md#install": "tests/tool.sh",
     "docs/command-line.md#a-kick": "tests/tool.sh",
@@ -41,8 +40,6 @@ SCRIPTS = {
     "docs/data-sets.md#python": "tests/native.sh",
     "docs/getting-started.md#install": "tests/package.sh",
     "docs/getting-started.md#a-first-kick": "tests/package.sh",
-    "docs/godot.md#gdscript-without-c": "tests/native.sh",
-    "docs/performance.md#warm-up-the-first-step-is-slow": "tests/package.sh",
     "samples/Network/README.md#two-machines-one-match": ".ci/run",
 }
 
@@ -51,11 +48,17 @@ NOT_RUN = {
     ("CONTRIBUTING.md#build-test-measure", 2): "the first command is that of README.md#start, which .ci/run runs; the second command runs a part of these tests again",
     ("CONTRIBUTING.md#build-test-measure", 5): "takes minutes, and its times mean nothing beside other processes",
     ("CONTRIBUTING.md#build-test-measure", 6): "is .ci/run itself",
+    ("docs/c.md#c-c-and-unreal", 1): ".ci/release runs this command; tests/native.sh uses the library of the release",
+    ("docs/c.md#javascript-npm-web-pages-and-threejs", 1): ".ci/release runs these commands; tests/npm.sh installs the package of the release",
     ("docs/c.md#lua-and-love2d", 1): "opens a window, and runs until someone closes it",
     ("docs/c.md#threejs", 2): "serves until someone stops it",
     ("docs/cookbook.md#how-do-i-use-it-with-monogame", 1): "needs packages of MonoGame; the tests compile the program against stand-ins",
     ("docs/cookbook.md#how-do-i-use-it-with-raylib", 1): "needs the package Raylib-cs; the tests compile the program against stand-ins",
+    ("docs/command-line.md#install", 1): ".ci/release runs this command; tests/tool.sh installs the tool of the release",
     ("docs/data-sets.md#pygame", 1): "opens a window, and runs until someone closes it",
+    ("docs/data-sets.md#python", 1): ".ci/release runs this command; tests/native.sh installs the wheel of the release",
+    ("docs/godot.md#gdscript-without-c", 1): ".ci/release runs this command; tests/native.sh plays the extension of the release",
+    ("docs/performance.md#warm-up-the-first-step-is-slow", 1): ".ci/release runs this command; tests/package.sh uses the packages of the release",
 }
 
 # The python blocks that tests/Python/pages.py does not run, and the reason. tests/native.sh calls it for every page with other python blocks.

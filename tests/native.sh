@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks and a match with the bits of C#, hostile calls, the header in C++, what is exported,
+# The C library of a release as a stranger uses it, unpacked into an empty folder: the sample found by CMake, ten thousand kicks and a match with the bits of C#, hostile calls, the header in C++, what is exported,
 # the wheel for Python, installed into a fresh environment, the kick in Rust, the extension for Godot in a stand-in for the engine, and the games in LÖVE and pygame, each with a picture.
 #   tests/native.sh [CALLS]       hostile calls; default 1 000 000
 # Needs clang or gcc, g++, CMake, Rust, and Debian's bindgen, python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
@@ -28,22 +28,27 @@ quietly() {
   "$@" > "$log" 2>&1 || fail "$what"
 }
 
-# page SECTION: runs the blocks of a section of a page exactly as printed, in a folder like a new clone.
-mkdir "$work/clone"
-git ls-tree -z --name-only HEAD | while IFS= read -r -d '' entry; do ln -s "$root/$entry" "$work/clone/"; done
+# page SECTION: runs the blocks of a section of a page exactly as printed, in that folder.
+# shellcheck source=artefacts.sh
+source tests/artefacts.sh
+# Only the samples are there, and the artefacts: no sources of the library.
+mkdir -p "$work/clone/out/wheel"
+git ls-files -z -co --exclude-standard -- samples | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | xargs -0 cp --parents -t "$work/clone"
 page() { (cd "$work/clone" && "$root/tests/blocks.py" run "$1") > "$log" 2>&1 || fail "$1"; }
 
 # --- the library and the sample
 
-start=$SECONDS
 # Beside other work, a second process of MSBuild costs more than it saves.
-DOTNET_PROCESSOR_COUNT=1 CFLAGS="-Wall -Wextra -Werror -pedantic" page docs/c.md#c-c-and-unreal
+DOTNET_PROCESSOR_COUNT=1 artefacts native 'football-physics-c-*.tar.gz' "$root"
+case $(uname -m) in aarch64) system=linux-arm64 ;; *) system=linux-x64 ;; esac
 prefix=$work/clone/out/native
-if grep -qE 'warning (IL|AOT)' "$log"; then fail "build.sh has warnings"; fi
+mkdir "$prefix"
+tar -xzf "$release/football-physics-c-$version-$system.tar.gz" -C "$prefix"
+CFLAGS="-Wall -Wextra -Werror -pedantic" page docs/c.md#c-c-and-unreal
 library=$prefix/lib/libfootball_physics.so
 kib=$(( $(stat -c %s "$library") / 1024 ))
 (( kib <= most_kib )) || fail "the library has $kib KiB; allowed: $most_kib"
-ok "libfootball_physics.so, $kib KiB of at most $most_kib, built in $(( SECONDS - start )) s as docs/c.md says"
+ok "libfootball_physics.so, $kib KiB of at most $most_kib, from football-physics-c-$version-$system.tar.gz"
 
 diff <(nm -D --defined-only "$library" | awk '{ sub(/@.*/, "", $3) } $3 ~ /^fp_/ { print $3 }' | sort) \
   <(grep -oE '\bfp_[a-z_]+\(' "$prefix/include/football_physics.h" | grep -v '^fp_.*_ABI' | tr -d '(' | sort -u) > "$log" || fail "exports and header differ"
@@ -130,7 +135,8 @@ plays() { "$work/$1/host" "$work/$2/libfootball_godot.so" tests/Native/godot-met
 start=$SECONDS
 sanitized=(-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined)
 echo leak:libfootball_physics.so > "$work/suppressed"
-FOOTBALL_BIN=$work/plain page docs/godot.md#gdscript-without-c
+unzip -q "$release/football-physics-gdextension-$version-$system.zip" -d "$work/addon"
+mv "$work/addon/addons/football/bin/$system" "$work/plain"
 quietly "godot_host.c" gcc -std=c99 -D_GNU_SOURCE -O2 -I"$prefix/include" tests/Native/godot_host.c -rdynamic -o "$work/plain/host" -ldl -lm
 godot single "${sanitized[@]}"
 godot double "${sanitized[@]}" -DFOOTBALL_GODOT_DOUBLE
@@ -148,13 +154,16 @@ ok "samples/GDExtension in a stand-in for Godot: $(grep -c . tests/Native/godot.
 # --- Python
 
 # The system's Python has numpy.
+cp "$release"/football_physics-*_"$(uname -m)".whl "$work/clone/out/wheel/"
 PATH=/usr/bin:$PATH page docs/data-sets.md#python
 wheel=$(echo "$work"/clone/out/wheel/*.whl)
 [[ $wheel == *-manylinux_2_31_* ]] || fail "the wheel has the tag of $(basename "$wheel"); PyPI accepts manylinux_2_31"
 python=$work/clone/out/python/bin/python
-quietly "wheel again" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/again"
+# The wheel names the version and the address of the release.
+address=$(unzip -p "$wheel" '*/METADATA' | sed -n 's/^Project-URL: Homepage, //p')
+quietly "wheel again" env MinVerVersionOverride="$version" ProjectUrl="$address" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/again"
 cmp "$wheel" "$work"/again/*.whl > "$log" || fail "the wheel built twice differs"
-ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the standard library, the same bytes twice, installed by pip into a fresh environment as docs/data-sets.md says"
+ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, of the release, the same bytes built again, installed by pip into a fresh environment as docs/data-sets.md says"
 cd "$work"
 "$python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
 ok "tests/Python: $(grep -E '^Ran ' "$log")"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The npm package as a stranger uses it: packed, its size, its types, bad input, the programs of docs/c.md, and the three.js sample in a browser.
+# The npm package of a release as a stranger uses it: installed into an empty folder, its size, its types, bad input, the programs of docs/c.md, and the three.js sample in a browser.
 #   tests/npm.sh [DIR]     the picture of the sample in DIR (default out/npm)
-# Needs Node, npm and a Chromium; the solution must be built. Web.Tests compares the bits with C#.
+# Needs Node, npm and a Chromium. Web.Tests compares the bits with C#.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -10,8 +10,11 @@ most_bytes=2000000
 out=${1:-out/npm}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+log=$work/log
+# shellcheck source=artefacts.sh
+source tests/artefacts.sh
 
 fail() {
   echo "FAIL  $1" >&2
@@ -19,26 +22,35 @@ fail() {
   exit 1
 }
 
-package=$root/src/Football.Physics.Web/bin/package
-# The blocks of docs/c.md, exactly as printed.
 # Beside other work, a second process of MSBuild costs more than it saves.
-DOTNET_PROCESSOR_COUNT=1 tests/blocks.py run docs/c.md#javascript-npm-web-pages-and-threejs > "$log" 2>&1 || fail "docs/c.md, npm"
-mv football-physics-*.tgz "$out"
-tgz=$(echo "$out"/football-physics-*.tgz)
-bytes=$(node tests/Npm/compressed.mjs "$package")
+DOTNET_PROCESSOR_COUNT=1 artefacts npm 'football-physics-[0-9]*.tgz' "$root"
+tgz=$release/football-physics-$version.tgz
+mkdir "$work/user"
+cp tests/Npm/*.mjs tests/Npm/*.ts tests/Npm/tsconfig.json "$work/user/"
+cd "$work/user"
+echo '{ "private": true, "type": "module" }' > package.json
+npm install --no-audit --no-fund --ignore-scripts --cache "$work/cache" "$tgz" > "$log" 2>&1 || fail "npm install of the package"
+package=$work/user/node_modules/football-physics
+bytes=$(node compressed.mjs "$package")
 (( bytes <= most_bytes )) || fail "the package has $bytes bytes with brotli; allowed: $most_bytes"
-echo "ok    $(basename "$tgz"): $(stat -c %s "$tgz") bytes, $bytes with brotli, of at most $most_bytes"
+echo "ok    $(basename "$tgz"): $(stat -c %s "$tgz") bytes, $bytes with brotli, of at most $most_bytes, installed into an empty folder with an empty cache"
 
-npm ci --no-audit --no-fund --prefer-offline --prefix tests/Npm > "$log" 2>&1 || fail "npm ci in tests/Npm"
-node tests/Npm/node_modules/typescript/bin/tsc -p tests/Npm > "$log" 2>&1 || { cat "$log" >&2; fail "tsc"; }
+typescript=$(node -p 'JSON.parse(require("fs").readFileSync(process.argv[1])).devDependencies.typescript' "$root/tests/Npm/package.json")
+npm install --no-audit --no-fund --prefer-offline "typescript@$typescript" > "$log" 2>&1 || fail "npm install of typescript"
+node node_modules/typescript/bin/tsc -p . > "$log" 2>&1 || { cat "$log" >&2; fail "tsc"; }
 echo "ok    the types compile, and reject what they should"
 
-node tests/Npm/refusals.mjs > "$log" 2>&1 || fail "refusals.mjs"
+node refusals.mjs > "$log" 2>&1 || fail "refusals.mjs"
 echo "ok    $(tail -n 1 "$log")"
-node tests/Npm/docs.mjs docs/c.md > "$log" 2>&1 || fail "docs/c.md"
+node docs.mjs "$root/docs/c.md" > "$log" 2>&1 || fail "docs/c.md"
 echo "ok    $(tail -n 1 "$log")"
 
+# The sample takes the package from the folder that `dotnet publish` writes. Here that folder has the files of the release, and no sources are beside it.
 start=$SECONDS
-tests/blocks.py run docs/c.md#threejs > "$log" 2>&1 || fail "docs/c.md, three.js"
+mkdir -p "$work/clone/samples/Three" "$work/clone/src/Football.Physics.Web/bin"
+(cd "$root" && git ls-files -z -- samples/Three | xargs -0 cp --parents -t "$work/clone")
+cp -R "$package" "$work/clone/src/Football.Physics.Web/bin/package"
+cd "$work/clone"
+"$root/tests/blocks.py" run docs/c.md#threejs > "$log" 2>&1 || fail "docs/c.md, three.js"
 mv samples/Three/shot.png "$out/three.png"
 echo "ok    samples/Three in a browser: $(grep -c '^hash' "$log") hashes as in C#, in $(( SECONDS - start )) s"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packs the library and its parts, and uses the packages as a stranger would: from a local feed, with an empty package cache, on .NET, as a
-# NativeAOT program and on Mono. Every program prints the golden hashes, which must be those of tests/Golden/golden.txt.
+# Uses the packages of a release as a stranger would: from its folder, with an empty package cache, on .NET, as a NativeAOT program and on Mono, and in Unity's and Godot's
+# packages. Every program prints the golden hashes, which must be those of tests/Golden/golden.txt.
 #   tests/package.sh            one line a check; exit code 1 at the first that fails
 # Needs mono and mcs (Debian: mono-devel), unzip, and a C compiler for NativeAOT.
 set -euo pipefail
@@ -15,9 +15,10 @@ export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-feed=$work/feed
 log=$work/log
-export NUGET_PACKAGES=$work/cache   # empty: nothing but the feed can supply the package
+export NUGET_PACKAGES=$work/cache   # empty: nothing but the release can supply the package
+# shellcheck source=artefacts.sh
+source tests/artefacts.sh
 golden=$root/tests/Golden/golden.txt
 
 fail() {
@@ -54,7 +55,7 @@ copy() {
   git clone -q --no-checkout . "$1"
   git -C "$1" remote remove origin
   for remote in $(git remote); do git -C "$1" remote add "$remote" "$(git config "remote.$remote.url")"; done
-  git ls-files -co --exclude-standard -z -- src samples/Unity tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig .gitignore .config docs/changelog.md 'Directory.*' global.json \
+  git ls-files -co --exclude-standard -z -- .ci src samples/Unity samples/Godot README.md LICENSE BannedSymbols.txt .editorconfig .gitignore .config docs/changelog.md 'Directory.*' global.json \
     | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | tar --null -T - -c | tar -x -C "$1"
 }
 
@@ -71,11 +72,12 @@ pack_page() { (unset NUGET_PACKAGES CI; page "$@"); }
 # entries PACKAGE: each entry with its size, time and CRC; but for code compiled ahead of time, and for the lines about the file itself.
 entries() { unzip -lv "$1" | grep -v ' runtimes/' | sed '1d;$d'; }
 
+# The code compiled ahead of time needs another restore, so the packages are made in the copy, which no other process builds in.
 copy "$work/one"
-version=$(cd "$work/one" && env -u NUGET_PACKAGES dotnet msbuild src/Football.Physics -restore -t:FindVersion -getProperty:Version 2> "$log") || fail "the version"
-pack_page docs/performance.md#warm-up-the-first-step-is-slow
+artefacts packages,unity,godot 'Football.Physics.[0-9]*.nupkg' "$work/one"
+feed=$release
 package=$feed/Football.Physics.$version.nupkg
-ok "docs/performance.md: $(cd "$feed" && echo *.nupkg), validated: the same API on every target, nothing gone that the last version had"
+ok "packages of the release, $version, validated: the same API on every target"
 
 for part in "${parts[@]}"; do
   each=$feed/$part.$version.nupkg
@@ -124,7 +126,8 @@ ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB 
 
 # The build of the solution has these assemblies too: in another folder, with the analyzers, and in .ci/run as on a build server. Code ahead of time is made from them by a tool of
 # .NET's own, for a minute: not twice.
-pack_again() { env -u NUGET_PACKAGES dotnet pack -c Release src/Packages.proj -o "$work/feed2"; }
+address=$(unzip -p "$package" Football.Physics.nuspec | sed -n 's/.*<projectUrl>\(.*\)<.*/\1/p')
+pack_again() { env -u NUGET_PACKAGES MinVerVersionOverride="$version" ProjectUrl="$address" dotnet pack -c Release src/Packages.proj -o "$work/feed2"; }
 quietly "pack again" pack_again
 for part in "${parts[@]}"; do
   each=$part.$version
@@ -161,33 +164,101 @@ ok "version: $prefix without git, without a tag and in a shallow clone; 9.8.7 at
 
 # --- the package for Unity
 
-# The address is one that only git is told.
-address=https://github.com/someone/football
-tarball=$(cd "$work/one" && env -u NUGET_PACKAGES -u CI GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=remote.origin.url "GIT_CONFIG_VALUE_0=$address.git" \
-  RunAnalyzers=false samples/Unity/build.sh "$work/unity" 2> "$log") \
-  || fail "samples/Unity/build.sh"
+tarball=$release/com.football.physics-$version.tgz
+mkdir "$work/unity"
 tar -xzf "$tarball" -C "$work/unity"
 manifest=$work/unity/package/package.json
-for link in documentationUrl:Documentation~/index.md changelogUrl:CHANGELOG.md licensesUrl:LICENSE.md; do
-  grep -qF "\"${link%%:*}\": \"$address/blob/HEAD/samples/Unity/com.football.physics/${link#*:}\"," "$manifest" || fail "the package for Unity has no ${link%%:*}"
-done
 # Links and the version are written when it is packed.
 as_committed() { sed -i -e '/Url": /d' -e "s|^  \"version\": \"$version\",|$(grep '^  "version": ' samples/Unity/com.football.physics/package.json)|" "$1"; }
 as_committed "$manifest"
 diff -r -x '*.dll' -x '*.xml' samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
-for file in Football.Physics{,.Engines}.{dll,xml}; do
+for file in Football.Physics{,.Batch,.Engines}.{dll,xml}; do
   cmp <(unzip -p "$feed/${file%.*}.$version.nupkg" "lib/netstandard2.1/$file") "$work/unity/package/Plugins/$file" > "$log" 2>&1 || fail "the package for Unity has another $file"
 done
-ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assemblies of the .nupkg"
+ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, and the assemblies of the .nupkg"
 
-# By git URL: a branch with the built package as its only content, cloned as Unity's package manager does.
+# Its sources with its assemblies, as the engine compiles them, and a script that uses .Batch: from the archive, with the stand-ins for the engine, in a folder without the repository.
+# shim FOLDER TARGET ASSEMBLY: copies a stand-in into the project. The build of the solution has compiled it.
+shim() {
+  local file=$root/tests/EngineShims/$1/bin/Release/$2/$3.dll
+  if [[ ! -e $file ]]; then
+    (cd "$root" && env -u NUGET_PACKAGES dotnet build -c Release "tests/EngineShims/$1" -p:RunAnalyzers=false) > "$log" 2>&1 || fail "build of the stand-in $1"
+  fi
+  cp "$file" "$project/"
+}
+project=$work/unity-project
+mkdir "$project"
+tar -xzf "$tarball" -C "$project"
+shim UnityEngine netstandard2.1 UnityEngine
+cat > "$project/Game.cs" <<'CS'
+using FootballPhysics;
+using FootballPhysics.Batch;
+
+public static class Game
+{
+    public static double Longest()
+    {
+        var launches = new BatchLaunches(1000);
+        var flights = new BatchFlights(1000);
+        for (int i = 0; i < 1000; i++) launches.Set(i, new Vector3d(0, 0.11, 0), new Vector3d(0, 5 + 0.005 * i, -22), Vector3d.Zero);
+        new BallBatch(Scene.Default, BatchSettings.For(Accuracy.Millimeter)).Fly(launches, flights, 1000);
+        return flights.Position.Z[999];
+    }
+}
+CS
+cat > "$project/Game.csproj" <<'XML'
+<Project Sdk="Microsoft.NET.Sdk">
+  <PropertyGroup>
+    <TargetFramework>netstandard2.1</TargetFramework>
+    <LangVersion>9.0</LangVersion>
+  </PropertyGroup>
+  <ItemGroup>
+    <Reference Include="package/Plugins/*.dll;UnityEngine.dll" />
+  </ItemGroup>
+</Project>
+XML
+build_project() { (cd "$1" && dotnet build -c Release); }
+quietly "the package for Unity in a project of its own" build_project "$project"
+ok "package for Unity, compiled from its archive alone with both samples, and a script that uses .Batch"
+
+# --- the add-on for Godot
+
+project=$work/godot-project
+mkdir "$project"
+unzip -q "$release/football-physics-godot-$version.zip" -d "$project"
+shim Godot net8.0 GodotSharp
+cp "$root"/tests/EngineShims/Godot.Adapter/Generated/*.cs "$project/"
+cat > "$project/Game.csproj" <<'XML'
+<Project Sdk="Microsoft.NET.Sdk">
+  <PropertyGroup>
+    <TargetFramework>net8.0</TargetFramework>
+    <LangVersion>12.0</LangVersion>
+    <DefineConstants>$(DefineConstants);TOOLS;GODOT;GODOT4_6_OR_GREATER</DefineConstants>
+  </PropertyGroup>
+  <ItemGroup>
+    <Reference Include="GodotSharp.dll" />
+  </ItemGroup>
+  <Import Project="addons/football_physics/football_physics.props" />
+</Project>
+XML
+mkdir "$work/godot-cache"
+restore_and_build() { (cd "$project" && NUGET_PACKAGES=$work/godot-cache dotnet build -c Release); }
+quietly "the add-on for Godot in a project of its own" restore_and_build
+[[ -d $work/godot-cache/football.physics.engines/$version ]] || fail "the project for Godot did not restore the packages of the add-on"
+ok "add-on for Godot, compiled from its archive alone; the project takes the packages from the add-on"
+
+# By git URL: a branch with the built package as its only content, cloned as Unity's package manager does. The address is one that only git is told.
+address=https://github.com/someone/football
 unity_branch() {
-  (cd "$work/one" && env -u NUGET_PACKAGES -u CI GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.com GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.com \
+  (cd "$work/one" && env -u NUGET_PACKAGES -u CI GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=remote.origin.url "GIT_CONFIG_VALUE_0=$address.git" MinVerVersionOverride="$version" GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.com GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.com \
     RunAnalyzers=false samples/Unity/build.sh --branch upm)
 }
 quietly "samples/Unity/build.sh --branch" unity_branch
 quietly "git clone of the branch" git clone -q --depth 1 --branch upm "file://$work/one" "$work/upm"
 rm -rf "$work/upm/.git"
+for link in documentationUrl:Documentation~/index.md changelogUrl:CHANGELOG.md licensesUrl:LICENSE.md; do
+  grep -qF "\"${link%%:*}\": \"$address/blob/HEAD/samples/Unity/com.football.physics/${link#*:}\"," "$work/upm/package.json" || fail "the package for Unity has no ${link%%:*}"
+done
 as_committed "$work/upm/package.json"
 diff -r "$work/unity/package" "$work/upm" > "$log" || fail "the branch for Unity is not the package"
 before=$(git -C "$work/one" rev-parse upm)

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Packs the command line as a .NET tool, installs it as a new user would, and runs the commands of the pages exactly as printed.
+# Installs the command line of a release as a new user would, in an empty folder with empty caches, and runs the commands of the pages exactly as printed.
 #   tests/tool.sh            one line a check; exit code 1 at the first that fails
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en
+# shellcheck source=artefacts.sh
+source tests/artefacts.sh
 export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
 work=$(mktemp -d)
@@ -21,15 +23,20 @@ fail() {
 # page FOLDER SECTION [N…]: runs the blocks of a section in the folder.
 page() { (cd "$1" && "$root/tests/blocks.py" run "${@:2}") > "$log" 2>&1 || fail "${*:2}"; }
 
-rm -rf out/feed/Football.Physics.Tool.*.nupkg
 # Beside other work, a second process of MSBuild costs more than it saves.
-DOTNET_PROCESSOR_COUNT=1 page . docs/command-line.md#install 1
-# The tool is installed for a user whose home is empty.
-mkdir "$work/home"
-DOTNET_CLI_HOME=$work/home page . docs/command-line.md#install 2
+DOTNET_PROCESSOR_COUNT=1 artefacts tool 'Football.Physics.Tool.*.nupkg' "$root"
+# The tool is installed for a user whose home and whose caches are empty, from a folder with nothing but the package.
+mkdir -p "$work/home" "$work/bare/out/feed"
+cp "$release/Football.Physics.Tool.$version.nupkg" "$work/bare/out/feed/"
+if [[ $version == *-* ]]; then
+  # The page installs a version that is released.
+  (cd "$work/bare" && DOTNET_CLI_HOME=$work/home NUGET_PACKAGES=$work/cache dotnet tool install --global Football.Physics.Tool --source out/feed --version "$version") > "$log" 2>&1 || fail "dotnet tool install"
+else
+  DOTNET_CLI_HOME=$work/home NUGET_PACKAGES=$work/cache page "$work/bare" docs/command-line.md#install 2
+fi
 export PATH=$work/home/.dotnet/tools:$PATH
 [[ $(type -P football) == "$work"/* ]] || fail "dotnet tool install: football is not in the home of this test"
-echo "ok    docs/command-line.md, Install: $(echo out/feed/Football.Physics.Tool.*.nupkg), installed from that folder"
+echo "ok    docs/command-line.md, Install: Football.Physics.Tool.$version.nupkg of the release, installed from an empty folder with empty caches"
 DOTNET_PROCESSOR_COUNT=1 page . docs/command-line.md#install 3
 grep -q '^  kick ' "$log" || fail "football help does not list kick"
 echo "ok    docs/command-line.md, Install: without installing, it lists $(grep -c '^  [a-z]' "$log") commands"
