@@ -1,5 +1,6 @@
 // node cannon.mjs SHOTS
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import * as CANNON from "cannon-es";
 import { ball, friction, gravity, post, restitution, run } from "./harness.mjs";
 
@@ -82,6 +83,7 @@ run({
   version: JSON.parse(readFileSync(new URL("./node_modules/cannon-es/package.json", import.meta.url))).version,
   build: "JavaScript, node",
   saved: "by hand",
+  files: [fileURLToPath(import.meta.resolve("cannon-es"))],
   canCcd: false,
   canRoll: false,
   create,

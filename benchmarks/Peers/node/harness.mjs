@@ -1,5 +1,6 @@
 // Plays the shots against one engine and prints one line of JSON. native/harness.hpp and dotnet/Harness.cs do the same, experiment by experiment.
 import { readFileSync } from "node:fs";
+import { brotliCompressSync } from "node:zlib";
 
 export const ball = { mass: 0.43, radius: 0.11, inertia: (2 / 3) * 0.43 * 0.11 * 0.11 };
 export const gravity = 9.81;
@@ -25,7 +26,12 @@ function read(path) {
 // add(position, velocity, spin), step(h), get(i) -> 13 numbers (position, orientation, velocity, spin), set(i, 13 numbers), save(), restore(saved), bytes(saved), free().
 export function run(engine, path) {
   const shots = read(path);
-  const result = { name: engine.name, version: engine.version, build: engine.build, saved: engine.saved };
+  // From the start of node's own code to the first step: the modules are read and compiled, and the engine is initialised.
+  firstStep(engine, shots);
+  const loadMs = performance.now() - performance.nodeTiming.bootstrapComplete;
+  const result = { name: engine.name, version: engine.version, build: engine.build, saved: engine.saved, loadMs };
+  // The files that a page loads, each compressed with brotli as by a web server.
+  result.kib = engine.files.reduce((sum, file) => sum + brotliCompressSync(readFileSync(file)).length, 0) / 1024;
   result.cost1 = costOfOne(engine, shots);
   result.cost10k = engine.many === false ? null : costOfMany(engine, shots);
   Object.assign(result, bounce(engine, shots));
@@ -37,6 +43,13 @@ export function run(engine, path) {
   Object.assign(result, restore(engine, shots));
   result.same = same(engine, shots);
   console.log(JSON.stringify(result));
+}
+
+function firstStep(engine, shots) {
+  const world = engine.create({ ground: true, step: frame });
+  world.add(...kicked(shots.kick[0]));
+  world.step(frame);
+  world.free();
 }
 
 const kicked = (kick) => [[0, 1, 0], kick.slice(0, 3), kick.slice(3, 6)];
@@ -85,7 +98,7 @@ function costOfMany(engine, shots) {
 function apex(engine, from, frameTime) {
   const parts = Math.max(1, Math.ceil(frameTime * 60 - 0.01));
   const h = frameTime / parts;
-  const world = engine.create({ ground: true, step: h });
+  const world = engine.create({ ground: true, vacuum: true, step: h });
   world.add([0, from, 0], none, none);
   let [top, rises] = [0, false];
   for (let i = 0; i * h < 3; i++) {
@@ -122,7 +135,7 @@ function posts(engine, shots, ccd, rate) {
 }
 
 function roll(engine) {
-  const world = engine.create({ ground: true, rolling: true, step: frame });
+  const world = engine.create({ ground: true, rolling: true, vacuum: true, step: frame });
   world.add([0, ball.radius, 0], [0, 0, -5], [-5 / ball.radius, 0, 0]);
   for (let i = 0; i < 1800; i++) world.step(frame);
   const distance = -world.get(0)[2];

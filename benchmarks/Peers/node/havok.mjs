@@ -1,5 +1,6 @@
 // node havok.mjs SHOTS
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import HavokPhysics from "@babylonjs/havok";
 import { ball, friction, gravity, post, restitution, run } from "./harness.mjs";
 
@@ -83,6 +84,7 @@ run({
   version: `(@babylonjs/havok ${JSON.parse(readFileSync(new URL("package.json", folder))).version})`,
   build: "WebAssembly, node",
   saved: "by hand",
+  files: [fileURLToPath(import.meta.resolve("@babylonjs/havok")), new URL("lib/esm/HavokPhysics.wasm", folder)],
   // The module has no switch: every body is swept.
   alwaysCcd: true,
   canCcd: true,

@@ -1,5 +1,6 @@
 // node jolt.mjs SHOTS
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import initJolt from "jolt-physics/wasm-compat";
 import { ball, friction, gravity, post, restitution, run } from "./harness.mjs";
 
@@ -128,6 +129,7 @@ run({
   version: `(jolt-physics ${JSON.parse(readFileSync(new URL("./node_modules/jolt-physics/package.json", import.meta.url))).version})`,
   build: "WebAssembly, node",
   saved: "world",
+  files: [fileURLToPath(import.meta.resolve("jolt-physics/wasm-compat"))],
   canCcd: true,
   canRoll: false,
   create,

@@ -1,8 +1,12 @@
 // node mujoco.mjs SHOTS
+import { readdirSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 import load from "@mujoco/mujoco";
 import { ball, friction, gravity, post, restitution, rollingArm, run } from "./harness.mjs";
 
 const mujoco = await load();
+const main = fileURLToPath(import.meta.resolve("@mujoco/mujoco"));
 const whole = mujoco.mjtState.mjSTATE_INTEGRATION.value;
 // MuJoCo has no coefficient of restitution. A contact is a damped spring that cannot pull, and with the damping ratio z it returns this fraction of the speed.
 function returned(z) {
@@ -80,6 +84,7 @@ run({
   version: mujoco.mj_versionString(),
   build: "WebAssembly, node",
   saved: "world",
+  files: [main, ...readdirSync(dirname(main)).filter((file) => file.endsWith(".wasm")).map((file) => join(dirname(main), file))],
   canCcd: false,
   canRoll: true,
   // The time to compile a model grows with the square of the bodies: 10,000 take minutes.

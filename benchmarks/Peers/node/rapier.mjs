@@ -1,4 +1,5 @@
 // node rapier.mjs SHOTS PACKAGE
+import { fileURLToPath } from "node:url";
 import { ball, friction, gravity, post, restitution, run } from "./harness.mjs";
 
 const name = process.argv[3] ?? "@dimforge/rapier3d-compat";
@@ -62,6 +63,7 @@ run({
   version: RAPIER.version(),
   build: "WebAssembly, node",
   saved: "world",
+  files: [fileURLToPath(import.meta.resolve(name))],
   canCcd: true,
   canRoll: false,
   create,

@@ -21,6 +21,8 @@ const columns = [
   ["saved state, bytes", (p) => `${number(p.bytes)} (${p.saved})`],
   ["save and restore, ns", (p) => number(p.saveNs)],
   ["replay identical", (p) => `${p.again} of 20`],
+  ["download, KiB with brotli", (p) => dash(p.kib, number)],
+  ["from start to first step, ms", (p) => dash(p.loadMs, number)],
   ["second run identical", (p) => `${p.same} of 20`],
 ];
 
