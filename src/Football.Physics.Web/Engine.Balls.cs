@@ -57,6 +57,14 @@ internal static partial class Engine
     [JSExport]
     internal static double[] Impact(int ball, int index) => Guard.Call(() => s_balls[ball].Impact(index));
 
+    /// <summary>Returns the sound of an impact of the last step: loudness, brightness, brush, and the samples of its wave.</summary>
+    [JSExport]
+    internal static double[] ImpactSound(int ball, int index, int rate) => Guard.Call(() => s_balls[ball].Sound(index, rate));
+
+    /// <summary>Returns the squash of the drawn ball: the scales along and across its axis, and the axis.</summary>
+    [JSExport]
+    internal static double[] Squash(int ball) => Guard.Call(() => s_balls[ball].Squash());
+
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     [JSExport]
     internal static int[] LookAheadEvents(int ball) => Guard.Call(() => s_balls[ball].LookAheadEvents());

@@ -20,6 +20,7 @@ internal sealed class WebBall
     private double[] _eventsAhead = [];
     private double[] _rows = [];
     private NetBulges? _bulges;
+    private BallSquash? _squash;
 
     public WebBall(WebScene scene)
     {
@@ -41,6 +42,7 @@ internal sealed class WebBall
     public void Change(Action<Ball> change)
     {
         change(Ball);
+        _squash?.Clear();
         Publish();
     }
 
@@ -106,6 +108,41 @@ internal sealed class WebBall
             impact.NormalImpulse, impact.TangentialImpulse, impact.SlipBefore, impact.SlipAfter, impact.Grips ? 1 : 0, impact.ContactTime, impact.Compression,
             impact.PeakForce, impact.EnergyLost,
         ];
+    }
+
+    /// <summary>Returns the sound of an impact of the last step: loudness, brightness, brush, and then the samples of its wave.</summary>
+    public double[] Sound(int index, int rate)
+    {
+        var sound = new ImpactSound(Ball.Simulator.ImpactOf(in Ball.Events[index]));
+        float[] samples = new float[ImpactSound.SamplesAt(rate)];
+        sound.Write(samples, rate);
+        var numbers = new double[3 + samples.Length];
+        numbers[0] = sound.Loudness;
+        numbers[1] = sound.Brightness;
+        numbers[2] = sound.Brush;
+        for (int i = 0; i < samples.Length; i++)
+        {
+            numbers[3 + i] = samples[i];
+        }
+
+        return numbers;
+    }
+
+    /// <summary>Updates the squash to the events of the last step, and returns the scales along and across its axis, and the axis.</summary>
+    public double[] Squash()
+    {
+        _squash ??= new BallSquash(_scene.Simulator);
+        foreach (ref readonly BallEvent happened in Ball.Events.Span)
+        {
+            _squash.Follow(in happened);
+        }
+
+        BallStretch stretch = _squash.At(Ball.Time);
+        var numbers = new double[5];
+        numbers[0] = stretch.Along;
+        numbers[1] = stretch.Across;
+        Put(stretch.Axis, numbers, 2);
+        return numbers;
     }
 
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>

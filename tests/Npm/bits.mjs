@@ -23,6 +23,14 @@ for (const { name, kick, ticks, scene: description } of JSON.parse(readFileSync(
     }
     ball.step(1 / 64);
     for (const e of ball.events) console.log(`${name} ${e.kind} ${e.name} ${words([e.time, ...e.position, ...e.velocityBefore, ...e.velocity, ...e.spinBefore, ...e.spin, ...e.normal])}`);
+    ball.events.forEach((e, i) => {
+      if (e.kind !== "impact") return;
+      const out = ball.impact(i), { loudness, brightness, brush, samples } = ball.impactSound(i, 8000);
+      console.log(`${name} outputs ${words([out.normalImpulse, out.tangentialImpulse, out.slipBefore, out.slipAfter, out.contactTime, out.compression, out.peakForce, out.energyLost])} ${out.grips}`);
+      console.log(`${name} sound ${samples.length} ${words([loudness, brightness, brush, samples[40], samples[400]])}`);
+    });
+    const { along, across, axis } = ball.squash();
+    if (along < 1) console.log(`${name} squash ${words([along, across, ...axis])}`);
     if (tick % 10 === 0) console.log(`${name} ${ball.motion} ${words([ball.time, ...ball.position, ...ball.velocity, ...ball.spin, ...ball.orientation])} ${ball.hash()}`);
   }
   // Saved, moved and restored: the same bits again.

@@ -43,7 +43,7 @@ public sealed partial class UnityFolderTests
 
         // A project may have switched off any built-in module that nothing asks for.
         Assert.Equal(
-            ["com.unity.modules.imgui", "com.unity.modules.physics"],
+            ["com.unity.modules.audio", "com.unity.modules.imgui", "com.unity.modules.physics"],
             manifest.GetProperty("dependencies").EnumerateObject().Select(module => module.Name));
     }
 

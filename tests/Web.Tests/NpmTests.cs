@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using FootballPhysics.Aiming;
+using FootballPhysics.Engines;
 using FootballPhysics.Netcode;
 using FootballPhysics.Prediction;
 using FootballPhysics.Scenarios;
@@ -25,7 +26,7 @@ public sealed class NpmTests(ITestOutputHelper told)
         string[] expected = [.. Lines()];
         string[] printed = await Node(Path.Combine(s_tests, "bits.mjs"), Path.Combine(Browser.Repository, "src", "Football.Physics.Web", "bin", "package"));
         Assert.Equal(expected, printed);
-        foreach (string what in (string[])["goal goal goal ", "off the post impact right post ", "bodies impact wall ", "bodies impact leg ", "goal net back net ", "open play path "])
+        foreach (string what in (string[])["goal goal goal ", "off the post impact right post ", "bodies impact wall ", "bodies impact leg ", "goal net back net ", "open play path ", "bodies outputs ", "goal sound 2000 ", "goal squash "])
         {
             Assert.Contains(expected, line => line.StartsWith(what, StringComparison.Ordinal));
         }
@@ -88,6 +89,7 @@ public sealed class NpmTests(ITestOutputHelper told)
             Scene scene = SceneInput.Scene(fields.Root) with { Bodies = WorldInput.Bodies(fields.Root) };
             var ball = new Ball(scene);
             ball.Kick(Vector(item, "velocity"), Vector(item, "spin"));
+            var squash = new BallSquash(ball.Simulator);
             var path = new Trajectory();
             ball.LookAhead(new LookAheadRequest { Duration = 2, TimeStep = TimeStep }, path);
             for (int i = 0; i < 21; i++)
@@ -105,6 +107,27 @@ public sealed class NpmTests(ITestOutputHelper told)
                 {
                     yield return $"{name} {JsonNamingPolicy.CamelCase.ConvertName(e.Kind.ToString())} {ball.NameOf(e)} "
                         + Words([e.Time, .. Parts(e.Position), .. Parts(e.VelocityBefore), .. Parts(e.Velocity), .. Parts(e.SpinBefore), .. Parts(e.Spin), .. Parts(e.Normal)]);
+                }
+
+                foreach (BallEvent e in ball.Events.Span.ToArray())
+                {
+                    squash.Follow(in e);
+                    if (e.Kind == BallEventKind.Impact)
+                    {
+                        Impact o = ball.Simulator.ImpactOf(in e);
+                        yield return $"{name} outputs "
+                            + Words(o.NormalImpulse, o.TangentialImpulse, o.SlipBefore, o.SlipAfter, o.ContactTime, o.Compression, o.PeakForce, o.EnergyLost) + (o.Grips ? " true" : " false");
+                        var sound = new ImpactSound(in o);
+                        float[] samples = new float[ImpactSound.SamplesAt(8000)];
+                        sound.Write(samples, 8000);
+                        yield return $"{name} sound {samples.Length} " + Words(sound.Loudness, sound.Brightness, sound.Brush, samples[40], samples[400]);
+                    }
+                }
+
+                BallStretch stretch = squash.At(ball.Time);
+                if (stretch.Along < 1)
+                {
+                    yield return $"{name} squash " + Words([stretch.Along, stretch.Across, .. Parts(stretch.Axis)]);
                 }
 
                 if (tick % 10 == 0)

@@ -233,6 +233,37 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told)
         told.WriteLine($"20 balls: {frames} frames in the best second, on {Environment.ProcessorCount} cores without a graphics card");
     }
 
+    /// <summary>An impact sounds and flattens the drawn ball; the sound can be switched off.</summary>
+    [Fact]
+    public async Task An_impact_is_heard_and_flattens_the_drawn_ball()
+    {
+        Window window = await browser.Playing("#keeper=0&wall=0&elevation=30&speed=20");
+        await window.Page.ClickAsync("#kick");
+        await window.Until("document.body.dataset.heard");
+        double[] heard = await window.Numbers("(h => [h.sounds, h.loudness, h.brightness, h.samples])(JSON.parse(document.body.dataset.heard))");
+        Assert.True(heard[0] >= 1);
+        Assert.InRange(heard[1], 0.1, 1);                     // a fall of five metres
+        Assert.InRange(heard[2], 80, 110);                    // Hz, 1/T
+        Assert.Equal(6000, heard[3]);
+        await window.Flown();
+        double[] flattest = await window.Numbers("(s => [s.t, s.along, s.along * s.across ** 2])(playground.flights[0].squashes.reduce((a, b) => b.along < a.along ? b : a))");
+        Assert.InRange(flattest[1], 0.6, 0.95);
+        Assert.Equal(1, flattest[2], 1e-9);
+        double[] drawn = await window.Numbers(FormattableString.Invariant($"(t => {{ playground.stage.draw(playground.flights, t, null); return [playground.stage.drawn.squash]; }})({flattest[0]:R})"));
+        Assert.Equal(flattest[1], drawn[0], 1e-3);
+        double[] before = await window.Numbers("(t => { playground.stage.draw(playground.flights, t, null); return [playground.stage.drawn.squash ?? 1]; })(0.1)");
+        Assert.Equal(1, before[0]);
+
+        await window.Page.ClickAsync("#sound");
+        Assert.Equal("false", await window.Page.Locator("#sound").GetAttributeAsync("aria-pressed"));
+        await window.Page.EvaluateAsync("() => delete document.body.dataset.heard");
+        await window.Page.ClickAsync("#kick");
+        await window.Until("playground.time > 2.5");
+        Assert.Null(await window.Said("heard"));
+        await window.Page.ClickAsync("#sound");
+        Assert.Empty(window.Errors);
+    }
+
     [Fact]
     public async Task Two_profiles_fly_side_by_side_and_a_replay_is_slow()
     {

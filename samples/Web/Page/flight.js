@@ -1,5 +1,9 @@
 // A moving ball. The worker simulates it ahead of the display, and passes it to the page in rows of numbers, which begin with their kind.
-const ROW = { key: 0, event: 1, keeper: 2, bulge: 3 };
+const ROW = { key: 0, event: 1, keeper: 2, bulge: 3, sound: 4, squash: 5 };
+// The samples per second of a sound; the page has the same number.
+const SOUND_RATE = 24000;
+// The loudness below which the page is silent, and the flattening below which the ball is round.
+const QUIET = 0.02, ROUND = 0.999;
 
 class Flight {
   constructor(setting, ahead, { velocity, spin }) {
@@ -24,14 +28,16 @@ class Flight {
     while (ball.time < until && !this.isOver) {
       if (this.keeper) this.keeper.moveTo(ball.time, this.scene.bodies);
       ball.step(TIME_STEP);
-      for (const e of ball.events) {
+      ball.events.forEach((e, i) => {
         // Add the events within the step, with the ball's orientation at their time.
         this.key(e, e.velocityBefore, e.time < ball.time ? turned(this.last.orientation, this.last.spin, e.time - this.last.time) : ball.orientation);
         this.rows.push(ROW.event, KINDS.indexOf(e.kind), e.collider, e.time, ...e.position, size(e.velocityBefore), size(e.velocity));
-      }
+        if (e.kind === "impact") this.writeSound(e, i);
+      });
       this.key(ball, ball.velocity, ball.orientation);
       this.writeKeeper();
       this.writeNets();
+      this.writeSquash();
     }
     return Float64Array.from(this.rows.splice(0));
   }
@@ -39,6 +45,18 @@ class Flight {
   key({ time, position, velocity, spin }, before, orientation) {
     this.last = { time, spin, orientation };
     this.rows.push(ROW.key, time, ...position, ...before, ...velocity, ...spin, ...orientation, MOTIONS.indexOf(this.ball.motion));
+  }
+
+  writeSound(e, index) {
+    const { loudness, brightness, brush, samples } = this.ball.impactSound(index, SOUND_RATE);
+    if (loudness >= QUIET) this.rows.push(ROW.sound, e.time, loudness, brightness, brush, ...samples);
+    this.rows.push(ROW.squash, e.time, 1, 1, ...e.normal);
+  }
+
+  writeSquash() {
+    const { along, across, axis } = this.ball.squash(), flat = along < ROUND;
+    if (flat || this.flat) this.rows.push(ROW.squash, this.ball.time, along, across, ...axis);
+    this.flat = flat;
   }
 
   writeKeeper() {

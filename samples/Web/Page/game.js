@@ -1,10 +1,11 @@
 // A ball in flight: collects the rows of the library in a track, which is drawn while it still grows.
-const ROWS = [19, 9, 11, 10];
+const SOUND_RATE = 24000;
+const ROWS = [19, 9, 11, 10, 5 + SOUND_RATE / 4, 7];
 const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed", "enterZone", "exitZone"];
 
 class Flown {
   constructor(number, colour, radius) {
-    Object.assign(this, { number, colour, radius, events: [], keeper: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
+    Object.assign(this, { number, colour, radius, events: [], keeper: [], sounds: [], squashes: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
   }
 
   // The end of the track so far, s.
@@ -23,6 +24,12 @@ class Flown {
           break;
         case 2:
           this.keeper.push({ t: row[0], feet: row.slice(1, 4), shoulders: row.slice(4, 7), hands: row.slice(7, 10) });
+          break;
+        case 4:
+          this.sounds.push({ t: row[0], loudness: row[1], brightness: row[2], brush: row[3], samples: Float32Array.from(row.slice(4)) });
+          break;
+        case 5:
+          this.squashes.push({ t: row[0], along: row[1], across: row[2], axis: row.slice(3, 6) });
           break;
         default:
           this.nets.take(row);
@@ -45,6 +52,15 @@ class Flown {
     if (this.keeper.length === 0) return null;
     const i = clamp(Math.round(t / 0.01), 0, this.keeper.length - 1);
     return this.keeper[i];
+  }
+
+  // Returns the squash at a time: scales along and across an axis; null if the ball is round.
+  squashAt(t) {
+    const next = this.squashes.findIndex(s => s.t > t);
+    if (next < 1) return null;
+    const a = this.squashes[next - 1], b = this.squashes[next], s = (t - a.t) / (b.t - a.t);
+    const along = a.along + s * (b.along - a.along);
+    return along < 0.999 ? { along, across: a.across + s * (b.across - a.across), axis: b.axis } : null;
   }
 
   first(...kinds) { return this.events.find(e => kinds.includes(e.kind)); }

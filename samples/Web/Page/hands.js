@@ -214,6 +214,7 @@ function toggleTheme() {
   retheme();
 }
 $("theme").addEventListener("click", toggleTheme);
+$("sound").addEventListener("click", mute);
 function retheme() { stage.theme(); dirty = true; }
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
 
@@ -242,7 +243,7 @@ $("bits").addEventListener("click", async () => {
 });
 
 const KEYS = {
-  " ": kickOne, Enter: kickOne, b: kickMany, r: replay, c: copyCode, l: copyLink, t: toggleTheme, "?": () => $("how").showModal(),
+  " ": kickOne, Enter: kickOne, b: kickMany, r: replay, c: copyCode, l: copyLink, t: toggleTheme, m: mute, "?": () => $("how").showModal(),
   ArrowLeft: () => change("azimuth", 0.5), ArrowRight: () => change("azimuth", -0.5), ArrowUp: () => change("elevation", 0.5), ArrowDown: () => change("elevation", -0.5),
   "+": () => change("speed", 0.5), "=": () => change("speed", 0.5), "-": () => change("speed", -0.5),
   a: () => change("side", 3), d: () => change("side", -3), w: () => change("top", 3), s: () => change("top", -3), Escape: ready, n: ready,

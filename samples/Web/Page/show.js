@@ -42,7 +42,9 @@ function frame(now) {
   if (playing && flights.length > 0) {
     const known = Math.min(...flights.map(f => f.isOver ? Infinity : f.end));
     const end = Math.max(...flights.map(f => f.end));
+    const before = time;
     time = Math.min(time + rate * passed, Number.isFinite(known) ? known : Infinity, end + 1);
+    flights.forEach(f => hear(f, before, time));
     story();
     dirty = true;
   }

@@ -288,6 +288,13 @@ export interface Ball extends BallState {
   step(dt: number): void;
   /** Returns the outputs of an impact: the index is that in `events` of the last step. All are 0 if the event is not an impact. */
   impact(index: number): Impact;
+  /**
+   * Returns the sound of an impact of the last step, and a generated wave of 0.25 s for an `AudioBuffer` with one channel. The rate is the number of samples
+   * per second, 8000 … 192 000; default 48 000. Loudness follows from the peak force, brightness (the frequency, in Hz) from the duration, brush from the slip.
+   */
+  impactSound(index: number, rate?: number): { loudness: number; brightness: number; brush: number; samples: Float32Array };
+  /** Returns the squash of the drawn ball: scales along and across an axis. The ball itself stays round. Call it after each step. */
+  squash(): { along: number; across: number; axis: Vector };
   /** Predicts the path as rows t, x, y, z, evenly spaced from now. If the prediction ends early, the last row repeats. */
   lookAhead(seconds: number, samples?: number, options?: LookAheadOptions): Float64Array;
   /** Returns the end of the last prediction, in s. */

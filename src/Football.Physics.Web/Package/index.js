@@ -231,6 +231,16 @@ class Ball {
     return { normalImpulse, tangentialImpulse, slipBefore, slipAfter, grips: grips === 1, contactTime, compression, peakForce, energyLost };
   }
 
+  impactSound(index, rate = 48000) {
+    const n = run(this.engine.ImpactSound, this.id, number("index", index), number("rate", rate));
+    return { loudness: n[0], brightness: n[1], brush: n[2], samples: Float32Array.from(n.slice(3)) };
+  }
+
+  squash() {
+    const [along, across, ...axis] = run(this.engine.Squash, this.id);
+    return { along, across, axis };
+  }
+
   numbers(from, count) { return Array.from(this.physics.heap.subarray(this.memory + from, this.memory + from + count)); }
 
   place(position) { run(this.engine.Place, this.id, ...vector("position", position)); }

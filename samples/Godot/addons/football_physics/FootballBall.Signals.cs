@@ -75,6 +75,11 @@ public partial class FootballBall
         {
             case BallEventKind.Impact:
                 _impact = happened;
+                if (Struck is { } struck)
+                {
+                    struck(LastImpact);
+                }
+
                 EmitSignal(
                     SignalName.Impact,
                     position,

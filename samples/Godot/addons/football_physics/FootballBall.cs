@@ -30,6 +30,9 @@ public partial class FootballBall : Node3D
     private MeshInstance3D? _skin;
     private Basis _start = Basis.Identity;
     private Vector3 _drawnAt;
+    private BallSquash? _squash;
+    private double _drawnTime;
+    private bool _isFlat;
     private int _stamp;
     private bool _warned;
 
@@ -45,6 +48,10 @@ public partial class FootballBall : Node3D
     [Export]
     public float GreatestSpeed { get; set; } = 15;
 
+    /// <summary>True if the drawn ball flattens at an impact. Only the sphere that the node draws itself does; the simulation does not depend on it.</summary>
+    [Export]
+    public bool Squash { get; set; } = true;
+
     /// <summary>The fixed-step runner behind the node: state, tick, kicks by tick, rollback.</summary>
     public FixedStepRunner Runner => _runner ?? throw new InvalidOperationException("The football is not ready. Add it to the scene tree first, and use it after _Ready.");
 
@@ -59,6 +66,9 @@ public partial class FootballBall : Node3D
 
     /// <summary>Radius of the ball, m.</summary>
     public float Radius => (float)(Preset?.BallOf() ?? BallProperties.Modern).Radius;
+
+    /// <summary>Raised at each impact, before the signal, with its outputs.</summary>
+    internal event Action<Impact>? Struck;
 
     /// <summary>The first ball that entered the tree; null if there is none.</summary>
     internal static FootballBall? First => s_all.Count > 0 ? s_all[0] : null;
@@ -84,6 +94,7 @@ public partial class FootballBall : Node3D
         }
 
         Runner.Place(GodotFrame.FromGodot(position));
+        _squash?.Clear();
         Draw(1.0);
     }
 
@@ -109,6 +120,7 @@ public partial class FootballBall : Node3D
         }
 
         _scene = scene;
+        _squash = null;
         if (begins)
         {
             Place(GlobalPosition);
@@ -171,6 +183,7 @@ public partial class FootballBall : Node3D
             for (int i = 0; i < runner.Events.Count; i++)
             {
                 _scene.Push(in runner.Events[i]);
+                _squash?.Follow(in runner.Events[i]);
                 Emit(in runner.Events[i]);
                 _scene.GoalOf(in runner.Events[i])?.EmitFor(this, in runner.Events[i]);
             }
@@ -198,6 +211,7 @@ public partial class FootballBall : Node3D
         }
 
         Draw(_clock.FractionAt(Engine.GetPhysicsInterpolationFraction() * _clock.Frame, _runner.TimeStep));
+        Flatten();
         _scene!.Draw();
     }
 
@@ -240,6 +254,30 @@ public partial class FootballBall : Node3D
         BallPose pose = Runner.PoseAt(fraction);
         GlobalTransform = new Transform3D(new Basis(GodotFrame.ToGodot(pose.Orientation)) * _start, GodotFrame.ToGodot(pose.Position));
         _drawnAt = GlobalPosition;
+        _drawnTime = Runner.State.Time - ((1.0 - fraction) * Runner.TimeStep);
+    }
+
+    /// <summary>Scales the drawn sphere along the normal of an impact. The node keeps its own scale.</summary>
+    private void Flatten()
+    {
+        if (_skin is null || !Squash)
+        {
+            return;
+        }
+
+        BallStretch stretch = (_squash ??= new BallSquash(Runner.Simulator)).At(_drawnTime);
+        if (!stretch.IsRound)
+        {
+            Basis scale = new(
+                GodotFrame.ToGodot(stretch.Apply(new Vector3d(1, 0, 0))), GodotFrame.ToGodot(stretch.Apply(new Vector3d(0, 1, 0))), GodotFrame.ToGodot(stretch.Apply(new Vector3d(0, 0, 1))));
+            _skin.GlobalTransform = new Transform3D(scale * GlobalTransform.Basis, GlobalPosition);
+        }
+        else if (_isFlat)
+        {
+            _skin.Transform = Transform3D.Identity;
+        }
+
+        _isFlat = !stretch.IsRound;
     }
 
     /// <summary>Adds a sphere of the ball's radius, independent of the node's scale, if the node has no visible child.</summary>

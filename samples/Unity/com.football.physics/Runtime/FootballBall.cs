@@ -50,6 +50,8 @@ namespace FootballPhysics.Unity
         private readonly EngineClock _clock = new EngineClock();
         private readonly ColliderMotions _motions = new ColliderMotions();
         private Vector3 _drawnAt;
+        private double _drawnTime;
+        private BallSquash _squash;
         private bool _warned;
 
         /// <summary>The preset. A change takes effect in the next step.</summary>
@@ -104,6 +106,9 @@ namespace FootballPhysics.Unity
         /// <summary>The motion state of the ball.</summary>
         public MotionState Motion => Runner.State.Motion;
 
+        /// <summary>The squash of the drawn ball after an impact, in the library's frame. The simulation does not depend on it, and a game that never reads it pays nothing.</summary>
+        public BallStretch Squash => _runner == null ? default : (_squash ??= new BallSquash(_runner.Simulator)).At(_drawnTime);
+
         /// <summary>Kicks the ball at the next step.</summary>
         public void Kick(Vector3 velocity, Vector3 spin)
         {
@@ -132,6 +137,7 @@ namespace FootballPhysics.Unity
             }
 
             Runner.Place(UnityFrame.FromUnity(position));
+            _squash?.Clear();
             Draw(1.0);
         }
 
@@ -163,6 +169,7 @@ namespace FootballPhysics.Unity
                 }
 
                 _scene = scene;
+                _squash = null;
                 if (begins)
                 {
                     Place(transform.position);
@@ -229,6 +236,7 @@ namespace FootballPhysics.Unity
                     {
                         FootballEvent happened = _scene.Convert(in _runner.Events[i]);
                         _scene.Push(in happened);
+                        _squash?.Follow(in _runner.Events[i]);
                         Raise(happened);
                     }
                 }
@@ -346,6 +354,7 @@ namespace FootballPhysics.Unity
             BallPose pose = _runner.PoseAt(fraction);
             transform.SetPositionAndRotation(UnityFrame.ToUnity(pose.Position), UnityFrame.ToUnity(pose.Orientation));
             _drawnAt = transform.position;
+            _drawnTime = _runner.State.Time - ((1.0 - fraction) * _runner.TimeStep);
         }
     }
 }

@@ -14,7 +14,14 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("Tint of the pattern.")]
         private Color color = Color.white;
 
+        [SerializeField, Tooltip("The drawn ball flattens at an impact. Body and colliders stay as they are.")]
+        private bool squash = true;
+
         private FootballDrawing _drawing;
+        private Vector3d[] _round;
+        private Vector3d[] _flat;
+        private Mesh _mesh;
+        private bool _isFlat;
         private int _drawn;
 
         /// <summary>Tint of the pattern.</summary>
@@ -22,6 +29,9 @@ namespace FootballPhysics.Unity
 
         /// <summary>The material for drawing; null: the default of the render pipeline. A change takes effect when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
+
+        /// <summary>True if the drawn ball flattens at an impact; default true. Body and colliders stay as they are.</summary>
+        public bool Squash { get => squash; set => squash = value; }
 
         private float Radius => TryGetComponent(out FootballBall ball) ? ball.Radius : (float)BallProperties.Modern.Radius;
 
@@ -49,6 +59,34 @@ namespace FootballPhysics.Unity
             }
         }
 
+        private void LateUpdate()
+        {
+            // All balls have drawn themselves now.
+            if (squash && TryGetComponent(out FootballBall ball))
+            {
+                Flatten(ball.Squash, UnityFrame.FromUnity(transform.rotation));
+            }
+        }
+
+        /// <summary>Moves the points of the mesh. The object keeps its scale, which its colliders have too.</summary>
+        private void Flatten(BallStretch stretch, Quaterniond orientation)
+        {
+            if (stretch.IsRound && !_isFlat)
+            {
+                return;
+            }
+
+            // Stretch in the frame of the world, and back.
+            var back = new Quaterniond(-orientation.X, -orientation.Y, -orientation.Z, orientation.W);
+            for (int i = 0; i < _flat.Length; i++)
+            {
+                _flat[i] = stretch.IsRound ? _round[i] : back.Rotate(stretch.Apply(orientation.Rotate(_round[i])));
+            }
+
+            FootballDrawing.Move(_mesh, _flat);
+            _isFlat = !stretch.IsRound;
+        }
+
         private void Draw()
         {
             _drawn = Stamp;
@@ -57,7 +95,12 @@ namespace FootballPhysics.Unity
             // Draw the simulated size, whatever the object's scale.
             Vector3 scale = transform.lossyScale;
             float largest = Math.Max(1e-6f, Math.Max(Math.Abs(scale.x), Math.Max(Math.Abs(scale.y), Math.Abs(scale.z))));
-            GetComponent<MeshFilter>().sharedMesh = _drawing.Fill(ShapeMesh.OfBall(Radius / largest));
+            ShapeMesh ball = ShapeMesh.OfBall(Radius / largest);
+            _round = ball.Points.ToArray();
+            _flat = ball.Points.ToArray();
+            _isFlat = false;
+            _mesh = _drawing.Fill(ball);
+            GetComponent<MeshFilter>().sharedMesh = _mesh;
             GetComponent<MeshRenderer>().sharedMaterial = _drawing.Made(color, FootballDrawing.BallTexture());
         }
     }

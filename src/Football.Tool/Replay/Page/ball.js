@@ -67,3 +67,13 @@ function drawBall(g, camera, q, x, y, r, colour) {
   g.fillRect(x - r, y - r, 2 * r, 2 * r);
   g.restore();
 }
+
+// Squashes what is drawn next around a point of the picture. The outline of an ellipsoid is an ellipse along the axis as it is seen.
+function squash(g, camera, { along, across, axis }, x, y) {
+  const right = dot(axis, camera.right), up = dot(axis, camera.up), seen = right * right + up * up, turn = Math.atan2(-up, right);
+  g.translate(x, y);
+  g.rotate(turn);
+  g.scale(Math.sqrt(along * along * seen + across * across * (1 - seen)), across);
+  g.rotate(-turn);
+  g.translate(-x, -y);
+}

@@ -324,7 +324,12 @@ class Stage {
   drawBallOf({ shot, at }) {
     const s = this.camera.project(at.p);
     if (!s) return;
+    const flat = shot.squashAt?.(at.t);
+    this.g.save();
+    if (flat) squash(this.g, this.camera, flat, s[0], s[1]);
     drawBall(this.g, this.camera, at.q, s[0], s[1], Math.max(LEAST_BALL, shot.radius * s[2]), shot.colour);
+    this.g.restore();
+    if (flat) this.drawn.squash = Math.min(this.drawn.squash ?? 1, Math.round(1e3 * flat.along) / 1e3);
     this.drawn.balls++;
   }
 
