@@ -10,7 +10,7 @@ public static class GoalChanceInput
     /// <param name="goals">The goals of the scene; the member "goal" is the index of one of them.</param>
     /// <exception cref="RefusedException">The scene has no such goal.</exception>
     public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals) =>
-        Request(shot, goals, shot.Vector("position"), shot.Vector("velocity"), shot.Vector("spin", Vector3d.Zero));
+        Request(shot, goals, shot.Vector("position"), shot.Vector("velocity"), shot.Vector("spin", Vector3d.Zero), Scenario.OrientationOf(shot));
 
     /// <summary>Reads the request for a kick that is given elsewhere.</summary>
     /// <inheritdoc cref="Request(InputObject, IReadOnlyList{Goal})"/>
@@ -19,7 +19,8 @@ public static class GoalChanceInput
     /// <param name="position">The position of the ball, in m.</param>
     /// <param name="velocity">The intended velocity, in m/s.</param>
     /// <param name="spin">The intended spin, in rad/s.</param>
-    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals, Vector3d position, Vector3d velocity, Vector3d spin)
+    /// <param name="orientation">The orientation of the ball; null for that of a launch without one.</param>
+    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals, Vector3d position, Vector3d velocity, Vector3d spin, Quaterniond? orientation)
     {
         InputObject spread = shot.Object("spread");
         var defaults = new KickSpread();
@@ -34,6 +35,7 @@ public static class GoalChanceInput
             Position = position,
             Velocity = velocity,
             Spin = spin,
+            Orientation = orientation,
             Goal = goals[goal],
             Keeper = shot.Has("keeper") ? PlayerInput.Player(shot.Object("keeper")) : null,
             Kicks = shot.Whole("kicks", GoalChance.Flights),

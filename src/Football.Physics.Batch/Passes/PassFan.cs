@@ -1,3 +1,4 @@
+using System.Globalization;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -45,6 +46,11 @@ public sealed class PassFan
         if (whole.Ground.IsNone)
         {
             throw Check.Conflict("ground", "ground is none, but passes are played on a level pitch. Use a scene with a ground.");
+        }
+
+        if (whole.Forces.KnuckleSeed is { } seed)
+        {
+            throw Check.Refusal("forces.knuckleSeed", seed.ToString(CultureInfo.InvariantCulture), "none, because PassFan would simulate thousands of passes one by one");
         }
 
         Simulator? amongThings = whole.HasThings ? new Simulator(whole) : null;

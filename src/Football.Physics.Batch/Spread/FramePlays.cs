@@ -93,7 +93,7 @@ internal sealed class FramePlays
         }
 
         // Approach the frame in long steps; only the last metres need short ones.
-        BallState ball = _simulator.LaunchAt(kick.Position, in velocity, in spin, 0);
+        BallState ball = _simulator.LaunchAt(kick.Position, in velocity, in spin, 0, kick.Orientation);
         double closing = Math.Max(1e-3, Math.Abs(Vector3d.Dot(in velocity, _mouth.Out)));
         double lead = Math.Max(0.5 * at.Time, at.Time - (2.0 * Before / closing));
         _log.Clear();
@@ -159,7 +159,7 @@ internal sealed class FramePlays
     public void Look(Simulator simulator, in SpreadKick kick, double time, in GoalChanceResult places)
     {
         // Start shortly before the mouth, and find where the kick would cross from there.
-        BallState ball = simulator.LaunchAt(kick.Position, kick.Velocity, kick.Spin, 0);
+        BallState ball = simulator.LaunchAt(kick.Position, kick.Velocity, kick.Spin, 0, kick.Orientation);
         double closing = Math.Max(1e-3, Math.Abs(Vector3d.Dot(kick.Velocity, _mouth.Out)));
         simulator.Run(ref ball, TimeStep, Math.Max(0.5 * time, time - (Before / closing)), StopAt.Time, _log);
         _near = ball;
@@ -238,7 +238,7 @@ internal sealed class FramePlays
     private bool Scores(double aside, double height)
     {
         Vector3d shift = ((aside - _nearAside) * _right) + ((height - _nearHeight) * Vector3d.Up);
-        BallState ball = _simulator.LaunchAt(_near.Position + shift, _near.Velocity, _near.Spin, _near.Time);
+        BallState ball = _simulator.LaunchOn(_near.Position + shift, _near.Velocity, _near.Spin, _near.Time, in _near);
         return Play(ball, _near.Time + (2.0 * Before / Math.Max(1.0, ball.Velocity.Length)) + Longest);
     }
 

@@ -20,13 +20,13 @@ public sealed partial class GoalChance
     private bool TryDerivatives(in SpreadKick kick, in GoalPlane plane, out GoalChanceResult result)
     {
         result = default;
-        PlaneCrossingPoint meant = _flights.Alone(kick.Position, in plane, kick.Velocity, kick.Spin);
+        PlaneCrossingPoint meant = _flights.Alone(in kick, in plane, kick.Velocity, kick.Spin);
         if (!(meant.Time > 0))
         {
             return false;
         }
 
-        BallState ball = _simulator.Launch(kick.Position, kick.Velocity, kick.Spin);
+        BallState ball = _simulator.Launch(kick.Position, kick.Velocity, kick.Spin, kick.Orientation);
         _derivatives.Run(ref ball, TimeStep, meant.Time, StopAt.Time);
         plane.Place(meant.Position, out double aside, out double height);
         double a = 0;
@@ -125,7 +125,7 @@ public sealed partial class GoalChance
         }
 
         kick.With(_draws, out Vector3d velocity, out Vector3d spin);
-        PlaneCrossingPoint at = _flights.Alone(kick.Position, in plane, in velocity, in spin);
+        PlaneCrossingPoint at = _flights.Alone(in kick, in plane, in velocity, in spin);
         plane.Place(at.Position, out aside, out height);
         time = at.Time;
         return time > 0;

@@ -1,3 +1,4 @@
+using System.Globalization;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
@@ -8,6 +9,7 @@ namespace FootballPhysics.Batch;
 /// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations verify this. Otherwise it
 /// simulates random kicks, at most <see cref="GoalChanceRequest.Kicks"/>. Equal requests give bit-identical results on every machine. Create one per
 /// scene and reuse it. Not thread-safe.
+/// <para>With <see cref="ForceSet.KnuckleSeed"/>, each kick is simulated alone: more than 1000 kicks are rejected. All kicks have the same orientation and wake.</para>
 /// </remarks>
 public sealed partial class GoalChance
 {
@@ -43,7 +45,9 @@ public sealed partial class GoalChance
     /// <param name="progress">Receives the progress of the simulation, 0 … 1, every 256 kicks; default none.</param>
     /// <param name="cancellation">Cancels the simulation; checked every 256 kicks.</param>
     /// <exception cref="ArgumentNullException">The request, its spread or its goal is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A number is out of range, or more than 1000 kicks must be simulated with a knuckle force; the message names field, value and range.
+    /// </exception>
     /// <exception cref="OperationCanceledException">The simulation was cancelled.</exception>
     public GoalChanceResult Find(GoalChanceRequest request, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
@@ -113,9 +117,10 @@ public sealed partial class GoalChance
     {
         plane = new GoalPlane(request.Goal, request.Keeper);
         Compile(request.Goal);
-        BallState ball = _simulator.Launch(request.Position, request.Velocity, request.Spin);
+        Quaterniond orientation = request.Orientation ?? _simulator.LaunchOrientation;
+        BallState ball = _simulator.Launch(request.Position, request.Velocity, request.Spin, orientation);
         request.Spread.Factor(_factor);
-        kick = new SpreadKick(ball.Position, request.Velocity, request.Spin);
+        kick = new SpreadKick(ball.Position, request.Velocity, request.Spin, ball.Orientation);
     }
 
     /// <summary>Compiles the scene twice: without the goal, to find crossings of its plane, and with it, to simulate kicks near its frame.</summary>
@@ -146,6 +151,11 @@ public sealed partial class GoalChance
         in SpreadKick kick, in GoalPlane plane, GoalChanceRequest request, IProgress<double>? progress, CancellationToken cancellation)
     {
         int count = request.Kicks;
+        if (_scene.Forces.KnuckleSeed is not null && count > GoalChanceRequest.MostAlone)
+        {
+            throw Check.Refusal("goalChance.kicks", count.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"2 … {GoalChanceRequest.MostAlone} with forces.knuckleSeed, because each kick is then simulated alone"));
+        }
+
         var sum = new GoalChanceSum();
         var draws = new KickDraws(request.Seed);
         int drawn = 0;
@@ -160,7 +170,7 @@ public sealed partial class GoalChance
                 kick.With(_by, out _velocities[i], out _spins[i]);
             }
 
-            _flights.Fly(kick.Position, in plane, _velocities, _spins, group, _crossings);
+            _flights.Fly(in kick, in plane, _velocities, _spins, group, _crossings);
             for (int i = 0; i < group; i++)
             {
                 bool goesIn = _frame!.GoesIn(in kick, in _velocities[i], in _spins[i], in _crossings[i], out bool hitsFrame);

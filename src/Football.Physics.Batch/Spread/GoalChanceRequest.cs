@@ -8,6 +8,9 @@ public sealed record GoalChanceRequest
     /// <summary>The maximum number of kicks.</summary>
     internal const int MostKicks = 100_000_000;
 
+    /// <summary>The maximum number of kicks that are simulated one by one.</summary>
+    internal const int MostAlone = 1000;
+
     /// <summary>The position of the ball, in m; components within ±1e6.</summary>
     public required Vector3d Position { get; init; }
 
@@ -16,6 +19,10 @@ public sealed record GoalChanceRequest
 
     /// <summary>The intended spin, in rad/s; at most 10 000, default 0.</summary>
     public Vector3d Spin { get; init; }
+
+    /// <summary>The orientation of the ball at the kick; it is normalised. Default null: that of a launch without one (<see cref="Simulator.LaunchOrientation"/>).</summary>
+    /// <remarks>Only the knuckle force depends on it.</remarks>
+    public Quaterniond? Orientation { get; init; }
 
     /// <summary>The spread of the player's kicks.</summary>
     public required KickSpread Spread { get; init; }
@@ -28,7 +35,7 @@ public sealed record GoalChanceRequest
 
     /// <summary>The number of kicks to simulate if derivatives are not accurate. 2 … 100 000 000; default 2000.</summary>
     /// <remarks>A kick takes 2 to 6 µs; kicks near the frame of the goal take longest. The error falls at least in proportion to the inverse square root of the
-    /// number.</remarks>
+    /// number. With <see cref="ForceSet.KnuckleSeed"/>, at most 1000 can be simulated.</remarks>
     public int Kicks { get; init; } = GoalChance.Flights;
 
     /// <summary>The seed of the random kicks; default 0. Equal seeds give equal kicks.</summary>

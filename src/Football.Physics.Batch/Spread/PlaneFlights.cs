@@ -27,14 +27,15 @@ internal sealed class PlaneFlights
     }
 
     /// <summary>Simulates a group of kicks.</summary>
-    /// <param name="from">The position of the ball, in m; not below the ground.</param>
+    /// <param name="kick">The position of the ball, not below the ground, and its orientation.</param>
     /// <param name="goal">The plane.</param>
     /// <param name="velocities">The velocities, in m/s.</param>
     /// <param name="spins">The spins, in rad/s.</param>
     /// <param name="count">The number of kicks; at most a group.</param>
     /// <param name="crossings">Receives the crossings; the time is −1 for kicks that do not cross.</param>
-    public void Fly(in Vector3d from, in GoalPlane goal, Vector3d[] velocities, Vector3d[] spins, int count, PlaneCrossingPoint[] crossings)
+    public void Fly(in SpreadKick kick, in GoalPlane goal, Vector3d[] velocities, Vector3d[] spins, int count, PlaneCrossingPoint[] crossings)
     {
+        Vector3d from = kick.Position;
         Vector3d way = goal.Center - from;
         double side = Vector3d.Dot(in way, goal.Out) <= 0 ? -1.0 : 1.0;
         Vector3d forward = side * goal.Out;
@@ -62,7 +63,7 @@ internal sealed class PlaneFlights
             }
             else
             {
-                crossings[i] = Alone(in from, in goal, in velocities[i], in spins[i]);
+                crossings[i] = Alone(in kick, in goal, in velocities[i], in spins[i]);
             }
         }
 
@@ -92,7 +93,7 @@ internal sealed class PlaneFlights
             double height = from.Y + path.X + (time * _wind.Y);
             if (_group.GivenUp[i] || !_group.Reached[i] || height < _simulator.ContactHeight)
             {
-                crossings[i] = Alone(in from, in goal, in velocities[i], in spins[i]);
+                crossings[i] = Alone(in kick, in goal, in velocities[i], in spins[i]);
                 continue;
             }
 
@@ -102,9 +103,9 @@ internal sealed class PlaneFlights
     }
 
     /// <summary>Simulates one kick in double precision, including everything before the plane.</summary>
-    public PlaneCrossingPoint Alone(in Vector3d from, in GoalPlane goal, in Vector3d velocity, in Vector3d spin)
+    public PlaneCrossingPoint Alone(in SpreadKick kick, in GoalPlane goal, in Vector3d velocity, in Vector3d spin)
     {
-        BallState ball = _simulator.Launch(from, velocity, spin);
+        BallState ball = _simulator.Launch(kick.Position, velocity, spin, kick.Orientation);
         Plane3d plane = goal.Plane;
         if (_request?.UntilPlane is not { } known || known.Point != plane.Point || known.Normal != plane.Normal)
         {
@@ -112,7 +113,7 @@ internal sealed class PlaneFlights
         }
 
         _simulator.LookAhead(in ball, _request, _path);
-        return _path.TryGetCrossing(in plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
+        return _path.TryGetCrossing(in plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, kick.Position);
     }
 
     /// <summary>Converts to the axes of the lanes: x up, y backward, z right.</summary>

@@ -10,9 +10,10 @@ internal readonly struct SpreadKick
     private readonly Vector3d _direction;
     private readonly Vector3d _left;
 
-    public SpreadKick(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+    public SpreadKick(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
     {
         Position = position;
+        Orientation = orientation;
         Velocity = velocity;
         Spin = spin;
         double flat = velocity.Horizontal.Length;
@@ -29,6 +30,9 @@ internal readonly struct SpreadKick
 
     /// <summary>The position of the ball, in m.</summary>
     public Vector3d Position { get; }
+
+    /// <summary>The orientation of the ball, the same for all variations.</summary>
+    public Quaterniond Orientation { get; }
 
     /// <summary>The intended velocity, in m/s.</summary>
     public Vector3d Velocity { get; }

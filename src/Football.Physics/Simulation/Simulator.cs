@@ -107,6 +107,14 @@ public sealed partial class Simulator
     internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, in Quaterniond orientation) =>
         Start(in position, in velocity, in spin, in orientation, time);
 
+    /// <summary>Launches a ball that has flown before: it keeps its orientation and the distance flown, as after an impact. The values are already validated.</summary>
+    internal BallState LaunchOn(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, in BallState flown)
+    {
+        BallState state = Start(in position, in velocity, in spin, flown.Orientation, time);
+        state.AirDistance = flown.AirDistance;
+        return state;
+    }
+
     /// <summary>Launches a ball. The values are already validated.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {

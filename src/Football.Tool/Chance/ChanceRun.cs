@@ -16,7 +16,7 @@ internal static class ChanceRun
         InputObject root = fields.Root;
         InputObject chance = root.Object("chance");
         Scenario shot = Scenario.Take(root);
-        GoalChanceRequest request = GoalChanceInput.Request(chance, shot.Scene.Goals, shot.Position, shot.Velocity, shot.Spin) with { AlwaysSimulate = true };
+        GoalChanceRequest request = GoalChanceInput.Request(chance, shot.Scene.Goals, shot.Position, shot.Velocity, shot.Spin, shot.Orientation) with { AlwaysSimulate = true };
         fields.Check();
         return new GoalChance(shot.Scene).Find(request);
     }

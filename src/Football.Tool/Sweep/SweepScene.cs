@@ -113,7 +113,7 @@ internal sealed record SweepScene
             Numbers = [.. kick, position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z],
             HasVectors = hasVectors,
             Cameras = CameraView.Take(root),
-            Chance = root.Has("chance") ? GoalChanceInput.Request(root.Object("chance"), scene.Goals, position, velocity, spin) with { AlwaysSimulate = true } : null,
+            Chance = root.Has("chance") ? GoalChanceInput.Request(root.Object("chance"), scene.Goals, position, velocity, spin, Scenario.OrientationOf(launch)) with { AlwaysSimulate = true } : null,
             Orientation = Scenario.OrientationOf(launch),
         };
     }

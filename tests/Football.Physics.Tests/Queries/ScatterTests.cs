@@ -208,6 +208,41 @@ public sealed class ScatterTests
         Assert.Equal(single.OnTarget, lanes.OnTarget, 3.0 / 600);
     }
 
+    /// <summary>With seams, lanes do not carry the kicks: derivatives are as accurate as single kicks, and thousands of single kicks are refused.</summary>
+    [Fact]
+    public void With_seams_a_chance_is_that_of_single_kicks_and_thousands_are_refused()
+    {
+        Scene seamed = Scene.Measured with { Forces = ForceSet.Measured with { KnuckleSeed = 8 } };
+        var chance = new GoalChance(seamed);
+        var request = new GoalChanceRequest
+        {
+            Position = s_from,
+            Velocity = s_velocity,
+            Spin = s_spin,
+            Orientation = new Quaterniond(0, 0.6, 0, 0.8),
+            Spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 0.5, AzimuthDegrees = 0.5 },
+            Goal = s_goal,
+            Keeper = s_keeper,
+        };
+        GoalChanceResult found = chance.Find(request);
+        GoalChanceResult flown = chance.Find(request with { Kicks = 1000, AlwaysSimulate = true });
+        Assert.Equal((GoalChanceMethod.Derivatives, GoalChanceMethod.Flights), (found.Method, flown.Method));
+        Assert.Equal(flown.Aside, found.Aside, 0.01);
+        Assert.Equal(flown.Height, found.Height, 0.01);
+        Assert.Equal(flown.AsideDeviation, found.AsideDeviation, 0.05 * found.AsideDeviation);
+        Assert.Equal(flown.HeightDeviation, found.HeightDeviation, 0.05 * found.HeightDeviation);
+        Assert.Equal(flown.OnTarget, found.OnTarget, 0.03);
+
+        // The kick goes elsewhere in another orientation, and without seams.
+        Assert.True(Math.Abs(found.Aside - chance.Find(request with { Orientation = null }).Aside) > 0.02);
+        Assert.Equal(chance.Find(request with { Orientation = new Simulator(seamed).LaunchOrientation }), chance.Find(request with { Orientation = null }));
+
+        string message = Assert.Throws<ArgumentOutOfRangeException>(() => chance.Find(request with { Kicks = 1001, AlwaysSimulate = true })).Message;
+        Assert.Contains("goalChance.kicks is 1001; allowed: 2 … 1000 with forces.knuckleSeed", message, StringComparison.Ordinal);
+        Assert.Contains("launch.orientation", Assert.Throws<ArgumentOutOfRangeException>(() => chance.Find(request with { Orientation = default(Quaterniond) })).Message, StringComparison.Ordinal);
+        Assert.Contains("forces.knuckleSeed is 8; allowed: none", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(seamed)).Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Flights_in_lanes_allocate_no_more_than_their_hand_over()
     {
