@@ -1,10 +1,14 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>A motion as a vector of numbers: position 0 … 2, velocity 3 … 5, spin 6 … 8, distance flown 9.</summary>
+/// <summary>A motion as a vector of numbers: position 0 … 2, velocity 3 … 5, spin 6 … 8, distance flown 9, turn of the orientation 10 … 12.</summary>
+/// <remarks>The turn is a small rotation in the frame of the world. Only <see cref="StepDifferences"/> needs it: plain flight and impacts do not depend on it.</remarks>
 internal static class MotionVector
 {
-    /// <summary>The number of components.</summary>
+    /// <summary>The number of components without the turn.</summary>
     public const int Size = 10;
+
+    /// <summary>The number of all components.</summary>
+    public const int Whole = 13;
 
     /// <summary>The index of the first component of the velocity.</summary>
     public const int Velocity = 3;
@@ -14,6 +18,9 @@ internal static class MotionVector
 
     /// <summary>The index of the distance flown.</summary>
     public const int AirDistance = 9;
+
+    /// <summary>The index of the first component of the turn.</summary>
+    public const int Turn = 10;
 
     /// <summary>Returns the motion of a ball.</summary>
     public static Motion Of(in BallState s) => new(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -27,7 +34,8 @@ internal static class MotionVector
 
     /// <summary>Returns a x + b y.</summary>
     public static Motion Sum(double a, in Motion x, double b, in Motion y) => new(
-        (a * x.Position) + (b * y.Position), (a * x.Velocity) + (b * y.Velocity), (a * x.Spin) + (b * y.Spin), (a * x.AirDistance) + (b * y.AirDistance));
+        (a * x.Position) + (b * y.Position), (a * x.Velocity) + (b * y.Velocity), (a * x.Spin) + (b * y.Spin), (a * x.AirDistance) + (b * y.AirDistance),
+        (a * x.Turn) + (b * y.Turn));
 
     /// <summary>Returns a ball with another motion.</summary>
     public static BallState With(in BallState s, in Motion motion)
@@ -46,6 +54,12 @@ internal static class MotionVector
         else
         {
             changed.SetGroundSpin(motion.Spin);
+        }
+
+        // The new spin has set the angle to 0.
+        if (motion.Turn != Vector3d.Zero)
+        {
+            changed.BaseOrientation = changed.BaseOrientation.Turned(in motion.Turn);
         }
 
         return changed;

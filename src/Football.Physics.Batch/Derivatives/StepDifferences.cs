@@ -14,6 +14,9 @@ internal sealed class StepDifferences
     private const double Widest = 4e-4;
     private const double Way = 0.05;
 
+    /// <summary>The turn, in rad, that counts as much as 1 m/s: the force of the seams changes over some tenths of a radian.</summary>
+    private const double Turn = 1.0;
+
     /// <summary>The largest variations relative to a slip, and to the speed of a roll or the flow; then the narrowest variation, in m/s.</summary>
     private const double SlipShare = 0.01;
     private const double RollShare = 0.001;
@@ -30,10 +33,14 @@ internal sealed class StepDifferences
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly bool _isEven;
     private readonly bool _hasLawsAlone;
+
+    /// <summary>True if the motion depends on the orientation.</summary>
+    private readonly bool _hasSeams;
     private readonly TangentBasis _basis;
     private readonly Motion[] _changes = new Motion[TangentBasis.Most];
     private readonly double[] _times = new double[TangentBasis.Most];
     private BallState _end;
+    private Quaterniond _endOrientation;
     private long _pieces;
     private double _timeStep;
     private StopAt _stopAt;
@@ -44,7 +51,8 @@ internal sealed class StepDifferences
         Scene scene = simulator.Scene;
         _isEven = scene.Ground.Heights is null && scene.Ground.Pattern is null;
         _hasLawsAlone = SceneAir.HasLawsAlone(scene);
-        _basis = new TangentBasis(Way, 1.0 / scene.Ball.Radius);
+        _hasSeams = KnuckleForce.Of(scene) is not null;
+        _basis = new TangentBasis(Way, 1.0 / scene.Ball.Radius, Turn);
     }
 
     /// <summary>Updates the tangent over a step.</summary>
@@ -61,6 +69,7 @@ internal sealed class StepDifferences
         _timeStep = dt;
         _stopAt = stopAt;
         _end = end;
+        _endOrientation = _hasSeams ? end.Orientation : Quaterniond.Identity;
         _pieces = pieces;
         bool dependsOnPlace = DependsOnPlace(in start, events);
         _basis.Span(tangent, dependsOnPlace);
@@ -189,14 +198,15 @@ internal sealed class StepDifferences
         _log.StopAt = _stopAt;
         _simulator.Advance(ref s, _timeStep, _log);
         time = s.Time;
-        end = new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance);
+        Vector3d turn = TurnFromEnd(in s);
+        end = new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance, in turn);
         if (s.Motion == MotionState.Rolling)
         {
             Vector3d moving = OnSurface(in s, out Vector3d normal);
             if (moving.LengthSquared < ContactTolerances.Rolling * ContactTolerances.Rolling)
             {
                 // The ball stands still: its remaining speed carries no information.
-                end = new Motion(end.Position, s.Velocity - moving, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance);
+                end = new Motion(end.Position, s.Velocity - moving, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance, in turn);
             }
         }
 
@@ -213,10 +223,23 @@ internal sealed class StepDifferences
         {
             // If the ball slides or rolls after the impact, the impact is not the last event.
             ref readonly BallEvent ending = ref Ending();
-            end = new Motion(ending.Position - from, ending.VelocityBefore, ending.SpinBefore, s.AirDistance);
+            end = new Motion(ending.Position - from, ending.VelocityBefore, ending.SpinBefore, s.AirDistance, in turn);
         }
 
         return same;
+    }
+
+    /// <summary>Returns the small rotation, in rad, from the end of the step to that of a varied step; zero if nothing depends on it.</summary>
+    private Vector3d TurnFromEnd(in BallState s)
+    {
+        if (!_hasSeams)
+        {
+            return Vector3d.Zero;
+        }
+
+        // The vector part is sin(θ/2) n.
+        Quaterniond turn = s.Orientation * new Quaterniond(-_endOrientation.X, -_endOrientation.Y, -_endOrientation.Z, _endOrientation.W);
+        return (turn.W < 0 ? -2.0 : 2.0) * new Vector3d(turn.X, turn.Y, turn.Z);
     }
 
     /// <summary>Returns the event that ended the step: the first of its kind.</summary>

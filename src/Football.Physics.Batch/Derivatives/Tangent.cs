@@ -3,14 +3,15 @@ using FootballPhysics.Contacts;
 namespace FootballPhysics.Batch;
 
 /// <summary>The derivative of the motion at one time by the launch, J = ∂y/∂y₀.</summary>
-/// <remarks>It has ten rows (<see cref="MotionVector"/>), and nine columns for the position, velocity and spin of the launch.</remarks>
+/// <remarks>It has the rows of <see cref="MotionVector"/>, and nine columns for the position, velocity and spin of the launch.</remarks>
 internal sealed class Tangent
 {
     /// <summary>The number of columns: the components of the launch.</summary>
     public const int Columns = 9;
 
     private const int Rows = MotionVector.Size;
-    private const int Length = Rows * Columns;
+    private const int Mapped = Rows * Columns;
+    private const int Length = MotionVector.Whole * Columns;
 
     private readonly double[] _j = new double[Length];
     private readonly double[] _next = new double[Length];
@@ -40,7 +41,7 @@ internal sealed class Tangent
 
     /// <summary>Returns one column: the derivative of the motion by one component of the launch.</summary>
     public Motion Of(int column) => new(
-        Column(0, column), Column(MotionVector.Velocity, column), Column(MotionVector.Spin, column), _j[(MotionVector.AirDistance * Columns) + column]);
+        Column(0, column), Column(MotionVector.Velocity, column), Column(MotionVector.Spin, column), _j[(MotionVector.AirDistance * Columns) + column], Column(MotionVector.Turn, column));
 
     /// <summary>Sets a column.</summary>
     public void Set(int column, in Motion value)
@@ -49,13 +50,14 @@ internal sealed class Tangent
         Set(MotionVector.Velocity, column, in value.Velocity);
         Set(MotionVector.Spin, column, in value.Spin);
         _j[(MotionVector.AirDistance * Columns) + column] = value.AirDistance;
+        Set(MotionVector.Turn, column, in value.Turn);
     }
 
-    /// <summary>J ← A J, A of ten rows and columns.</summary>
+    /// <summary>J ← A J, A of ten rows and columns. The turn stays: no event turns the ball.</summary>
     public void Map(double[] a)
     {
         Multiply(a, _j, _next);
-        Array.Copy(_next, _j, Length);
+        Array.Copy(_next, _j, Mapped);
     }
 
     /// <summary>J ← J + f ⊗ δt: converts from a fixed time to the time of an event, or back.</summary>
@@ -72,6 +74,7 @@ internal sealed class Tangent
             Add(MotionVector.Velocity, c, by * rates.Acceleration);
             Add(MotionVector.Spin, c, by * rates.SpinAcceleration);
             _j[(MotionVector.AirDistance * Columns) + c] += by * rates.AirSpeed;
+            Add(MotionVector.Turn, c, by * rates.Turning);
         }
     }
 
@@ -164,7 +167,7 @@ internal sealed class Tangent
 
     private static void Multiply(double[] a, double[] b, double[] into)
     {
-        Array.Clear(into, 0, Length);
+        Array.Clear(into, 0, Mapped);
         for (int row = 0; row < Rows; row++)
         {
             int at = row * Columns;

@@ -6,24 +6,25 @@ internal sealed class TangentBasis
     /// <summary>The maximum number of vectors.</summary>
     public const int Most = Tangent.Columns;
 
-    /// <summary>The blocks: position, velocity, spin, and distance flown.</summary>
-    private const int Blocks = 4;
+    /// <summary>The blocks: position, velocity, spin, distance flown, and turn.</summary>
+    private const int Blocks = 5;
 
     /// <summary>The share of a column's position, velocity or spin that may be left out: below it, only rounding errors remain.</summary>
     private const double Negligible = 1e-8;
 
-    private readonly double[] _units = new double[MotionVector.Size];
-    private readonly double[] _vectors = new double[Most * MotionVector.Size];
+    private readonly double[] _units = new double[MotionVector.Whole];
+    private readonly double[] _vectors = new double[Most * MotionVector.Whole];
     private readonly double[] _shares = new double[Most * Tangent.Columns];
-    private readonly double[] _left = new double[Tangent.Columns * MotionVector.Size];
+    private readonly double[] _left = new double[Tangent.Columns * MotionVector.Whole];
 
     /// <param name="place">The displacement that counts as much as 1 m/s, in m.</param>
     /// <param name="spin">The spin that counts as much as 1 m/s, in rad/s.</param>
-    public TangentBasis(double place, double spin)
+    /// <param name="turn">The turn that counts as much as 1 m/s, in rad.</param>
+    public TangentBasis(double place, double spin, double turn)
     {
-        for (int i = 0; i < MotionVector.Size; i++)
+        for (int i = 0; i < MotionVector.Whole; i++)
         {
-            _units[i] = i < MotionVector.Velocity ? place : i < MotionVector.Spin ? 1.0 : i < MotionVector.AirDistance ? spin : 1.0;
+            _units[i] = i < MotionVector.Velocity ? place : i < MotionVector.Spin ? 1.0 : i < MotionVector.AirDistance ? spin : i < MotionVector.Turn ? 1.0 : turn;
         }
     }
 
@@ -35,9 +36,10 @@ internal sealed class TangentBasis
     {
         get
         {
-            int at = index * MotionVector.Size;
+            int at = index * MotionVector.Whole;
             return new Motion(
-                Scaled(at, 0), Scaled(at, MotionVector.Velocity), Scaled(at, MotionVector.Spin), _units[MotionVector.AirDistance] * _vectors[at + MotionVector.AirDistance]);
+                Scaled(at, 0), Scaled(at, MotionVector.Velocity), Scaled(at, MotionVector.Spin), _units[MotionVector.AirDistance] * _vectors[at + MotionVector.AirDistance],
+                Scaled(at, MotionVector.Turn));
         }
     }
 
@@ -53,9 +55,9 @@ internal sealed class TangentBasis
         Span<double> sizes = stackalloc double[Tangent.Columns * Blocks];
         for (int c = 0; c < Tangent.Columns; c++)
         {
-            for (int i = 0; i < MotionVector.Size; i++)
+            for (int i = 0; i < MotionVector.Whole; i++)
             {
-                _left[(c * MotionVector.Size) + i] = withPlace || i >= MotionVector.Velocity ? tangent[i, c] / _units[i] : 0;
+                _left[(c * MotionVector.Whole) + i] = withPlace || i >= MotionVector.Velocity ? tangent[i, c] / _units[i] : 0;
             }
 
             for (int b = 0; b < Blocks; b++)
@@ -98,7 +100,7 @@ internal sealed class TangentBasis
 
     private void Add(int column)
     {
-        int at = Count * MotionVector.Size;
+        int at = Count * MotionVector.Whole;
         double length = 0;
         for (int b = 0; b < Blocks; b++)
         {
@@ -106,27 +108,27 @@ internal sealed class TangentBasis
         }
 
         length = Math.Sqrt(length);
-        for (int i = 0; i < MotionVector.Size; i++)
+        for (int i = 0; i < MotionVector.Whole; i++)
         {
-            _vectors[at + i] = _left[(column * MotionVector.Size) + i] / length;
+            _vectors[at + i] = _left[(column * MotionVector.Whole) + i] / length;
         }
 
         for (int c = 0; c < Tangent.Columns; c++)
         {
             double share = 0;
-            for (int i = 0; i < MotionVector.Size; i++)
+            for (int i = 0; i < MotionVector.Whole; i++)
             {
-                share += _vectors[at + i] * _left[(c * MotionVector.Size) + i];
+                share += _vectors[at + i] * _left[(c * MotionVector.Whole) + i];
             }
 
             _shares[(Count * Tangent.Columns) + c] = share;
-            for (int i = 0; i < MotionVector.Size; i++)
+            for (int i = 0; i < MotionVector.Whole; i++)
             {
-                _left[(c * MotionVector.Size) + i] -= share * _vectors[at + i];
+                _left[(c * MotionVector.Whole) + i] -= share * _vectors[at + i];
             }
         }
 
-        Array.Clear(_left, column * MotionVector.Size, MotionVector.Size);
+        Array.Clear(_left, column * MotionVector.Whole, MotionVector.Whole);
         Count++;
     }
 
@@ -134,9 +136,13 @@ internal sealed class TangentBasis
     private double Length(int column, int block)
     {
         double sum = 0;
-        for (int i = 3 * block; i < Math.Min(MotionVector.Size, 3 * (block + 1)); i++)
+        int from = block * MotionVector.Velocity;
+        bool isTurn = from > MotionVector.AirDistance;
+        from = isTurn ? MotionVector.Turn : from;
+        int to = isTurn ? MotionVector.Whole : Math.Min(MotionVector.Turn, from + MotionVector.Velocity);
+        for (int i = from; i < to; i++)
         {
-            double value = _left[(column * MotionVector.Size) + i];
+            double value = _left[(column * MotionVector.Whole) + i];
             sum += value * value;
         }
 

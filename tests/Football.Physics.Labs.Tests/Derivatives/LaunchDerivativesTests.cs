@@ -116,6 +116,38 @@ public sealed class LaunchDerivativesTests
         Assert.Equal(wanted.Z, derivatives.PositionByVelocity.Z.X, 7);
     }
 
+    /// <summary>The force of the seams depends on the orientation, which a changed spin changes: through flight, a bounce, and what comes after it.</summary>
+    [Theory]
+    [InlineData(0, 0.8, StopAt.Time)]
+    [InlineData(4, 0.8, StopAt.Time)]
+    [InlineData(60, 0.8, StopAt.Time)]
+    [InlineData(6, 3, StopAt.Impact)]
+    [InlineData(6, 2.1, StopAt.Time)]
+    public void With_seams_the_end_changes_with_the_launch_as_flights_do(double spin, double duration, StopAt stopAt)
+    {
+        var simulator = new Simulator(Scene.Default with { Forces = ForceSet.Measured with { KnuckleSeed = 5 } }, new SolverSettings { Integrator = Integrator.Rk4 });
+        var velocity = new Vector3d(26, 8, 2);
+        var turning = new Vector3d(0.3 * spin, 0.9 * spin, -0.3 * spin);
+        var orientation = new Quaterniond(0.1, -0.4, 0.3, 0.8);
+        Vector3d End(in Vector3d v, in Vector3d w)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.5, 0), velocity + v, turning + w, orientation);
+            simulator.Run(ref ball, 0.01, duration, stopAt, new StepLog());
+            return ball.Position;
+        }
+
+        BallState state = simulator.Launch(new Vector3d(0, 0.5, 0), velocity, turning, orientation);
+        var derivatives = new LaunchDerivatives(simulator);
+        Assert.Equal(stopAt == StopAt.Impact, derivatives.Run(ref state, 0.01, duration, stopAt));
+        foreach (Vector3d axis in (Vector3d[])[new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)])
+        {
+            Vector3d byVelocity = (End(1e-4 * axis, Vector3d.Zero) - End(-1e-4 * axis, Vector3d.Zero)) / 2e-4;
+            Vector3d bySpin = (End(Vector3d.Zero, 1e-3 * axis) - End(Vector3d.Zero, -1e-3 * axis)) / 2e-3;
+            Assert.InRange((byVelocity - (derivatives.PositionByVelocity * axis)).Length, 0, 1e-5 * derivatives.PositionByVelocity.X.Length);
+            Assert.InRange((bySpin - (derivatives.PositionBySpin * axis)).Length, 0, 1e-4);
+        }
+    }
+
     /// <summary>Without spin the published lift is not smooth: how the end changes with velocity and place must not be mixed with how it changes with spin.</summary>
     [Fact]
     public void Without_spin_the_end_changes_with_the_velocity_as_flights_without_spin_do()

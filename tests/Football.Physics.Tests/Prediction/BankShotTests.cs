@@ -51,6 +51,29 @@ public sealed class BankShotTests
         Assert.InRange(sum, 0, Requests * simulations / 2);
     }
 
+    /// <summary>The force of the seams depends on the orientation, which a leg after an impact takes from the leg before.</summary>
+    [Theory]
+    [InlineData(20, 60, 40, "ground")]
+    [InlineData(20, 70, 30, "wall")]
+    [InlineData(20, 70, 60, "wall,ground")]
+    [InlineData(-12, 12, 60, "crossbar")]
+    public void With_seams_they_are_found_in_as_few_simulations(double least, double most, int simulations, string things)
+    {
+        string[] after = things.Split(',');
+        Scene seamed = Scene with { Forces = ForceSet.Measured with { KnuckleSeed = 11 } };
+        var aimer = new BankShotAimer(seamed);
+        int sum = 0;
+        foreach (AimRequest request in Draw(least, most, after, seamed))
+        {
+            AimResult found = aimer.Find(request, after);
+            Assert.Equal(AimStatus.Hit, found.Status);
+            Assert.InRange(found.Miss, 0, Tolerance);
+            sum += found.Simulations;
+        }
+
+        Assert.InRange(sum, 0, Requests * simulations / 2);
+    }
+
     [Theory]
     [InlineData(20, 60, "ground")]
     [InlineData(20, 70, "wall,ground")]
@@ -134,10 +157,10 @@ public sealed class BankShotTests
     }
 
     /// <summary>Requests for where random kicks come after they have met these things, and no more.</summary>
-    private static List<AimRequest> Draw(double least, double most, string[] after)
+    private static List<AimRequest> Draw(double least, double most, string[] after, Scene? scene = null)
     {
         var random = new SeededRandom(29L);
-        var set = new BankShotSet(new Simulator(Scene), after) { Azimuth = (least, most) };
+        var set = new BankShotSet(new Simulator(scene ?? Scene), after) { Azimuth = (least, most) };
         return [.. Enumerable.Range(0, Requests).Select(_ => set.Draw(random))];
     }
 

@@ -146,12 +146,13 @@ internal sealed class BankShotProblem : ILeastSquares
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
         double time = _request.KickTime;
+        BallState state = default;
         for (int leg = 0; ; leg++)
         {
             BankShotContact contact = leg == Count ? default : Contacts[leg];
             int place = FirstTime + Count + 1 + (2 * leg);
             Vector3d end = leg == Count ? _frame.Target : contact.Place + (x[place] * contact.Level) + (x[place + 1] * contact.Steep);
-            if (!FlyLeg(leg, in p, in v, in w, time, in end, ref x[FirstTime + leg], out BallState state))
+            if (!FlyLeg(leg, in p, in v, in w, time, in end, ref x[FirstTime + leg], ref state))
             {
                 return false;
             }
@@ -200,10 +201,11 @@ internal sealed class BankShotProblem : ILeastSquares
 
     /// <summary>Simulates a leg through its bounces, and then for its duration.</summary>
     /// <returns>False if the ball does not bounce that often.</returns>
-    private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
+    private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, ref BallState state)
     {
+        // An impact changes neither the orientation of the ball nor the distance flown.
         Simulator simulator = Bounces[leg] > 0 ? _grounded : _open;
-        state = simulator.LaunchAt(in p, in v, in w, time, leg == 0 ? AimContext.OrientationOf(simulator, _request) : simulator.LaunchOrientation);
+        state = leg == 0 ? simulator.LaunchAt(in p, in v, in w, time, AimContext.OrientationOf(simulator, _request)) : simulator.LaunchOn(in p, in v, in w, time, in state);
         _log.Clear();
         for (int i = 0; i < Bounces[leg]; i++)
         {
@@ -216,7 +218,7 @@ internal sealed class BankShotProblem : ILeastSquares
         // After its last bounce, continue the leg without ground, so that the gap changes smoothly even below the ground.
         if (Bounces[leg] > 0)
         {
-            state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time, state.Orientation);
+            state = _open.LaunchOn(state.Position, state.Velocity, state.Spin, state.Time, in state);
         }
 
         if (double.IsNaN(duration))
