@@ -34,7 +34,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         // k1 = f(y)
         FlightRates.At(
-            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
         Unsafe.SkipInit(out step);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
@@ -52,6 +52,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double vy = uy;
         double vz = uz;
         double vw = w;
+        Unsafe.SkipInit(out SeamAxes turned);
+        ref readonly SeamAxes stageSeams = ref seams;
         for (int stage = 0; stage < 3; stage++)
         {
             double px = along * (vx + wind.X);
@@ -60,7 +62,13 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             vx = ux + (along * ax);
             vy = uy + (along * ay);
             vz = uz + (along * az);
-            double turn = along * vw;
+            if (air.HasSide && stage != 1 && w != 0)
+            {
+                // θ̇ = |ω|. Both middle stages take the mean of their angles, h/2 |ω| and h/2 |ω₂|: their sum, and so the order, stays.
+                air.Turn(in seams, in motion.Axis, along * (stage == 0 ? w + (0.5 * along * b) : vw), out turned);
+                stageSeams = ref turned;
+            }
+
             vw = w + (along * b);
             if (stage == 2)
             {
@@ -69,7 +77,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             }
 
             FlightRates.At(
-                ref air, in start, in seams, branch, upward, along, px, py, pz, along * s, turn, nx, ny, nz, vx, vy, vz, vw, out ax, out ay, out az, out b, out s);
+                ref air, in start, in stageSeams, branch, upward, along, px, py, pz, along * s, nx, ny, nz, vx, vy, vz, vw, out ax, out ay, out az, out b, out s);
             if (stage == 2)
             {
                 break;

@@ -18,7 +18,7 @@ internal static class EulerStep
         double uz = motion.Velocity.Z - wind.Z;
         double w = motion.SpinRate;
         FlightRates.At(
-            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
+            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
             out double ax, out double ay, out double az, out double b, out double s);
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);

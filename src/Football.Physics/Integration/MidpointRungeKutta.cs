@@ -36,7 +36,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
         // k1 = f(y)
         FlightRates.At(
-            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
+            ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
         Unsafe.SkipInit(out step);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
@@ -47,9 +47,21 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double mz = uz + (half * az);
         double mw = w + (half * b);
         step.Turn = h * mw;
-        StepTurn.Take(ref air, in start, step.Turn, ref step);
+        Unsafe.SkipInit(out SeamAxes turned);
+        ref readonly SeamAxes middle = ref seams;
+        if (air.HasSide && w != 0)
+        {
+            // Half the turn of the step is that of the stage: h/2 |ω| differs from it by a term that order 2 leaves open.
+            air.Turn(in seams, in start, half * mw, out turned, out step.Orientation);
+            middle = ref turned;
+        }
+        else if (air.HasSide)
+        {
+            step.Orientation = start.BaseOrientation;
+        }
+
         FlightRates.At(
-            ref air, in start, in seams, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, half * w, nx, ny, nz, mx, my, mz, mw,
+            ref air, in start, in middle, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, nx, ny, nz, mx, my, mz, mw,
             out ax, out ay, out az, out b, out s);
 
         // y' = y + h k2

@@ -13,7 +13,7 @@ internal static class StepTurn
     {
         if (air.HasSide)
         {
-            step.Orientation = start.BaseOrientation.Turned(turn * start.Flight.Axis);
+            step.Orientation = turn == 0 ? start.BaseOrientation : start.BaseOrientation.Turned(turn * start.Flight.Axis);
         }
     }
 }

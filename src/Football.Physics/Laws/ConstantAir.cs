@@ -41,8 +41,9 @@ internal struct ConstantAir : IFlightAir
     // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Factors(
-        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share)
     {
+        share = 0;
         drag = _drag * Math.Sqrt(speedSquared);
         lift = _lift * (spinRate > 0 ? spinRate : 0);
         decay = _decay * Math.Abs(spinRate);
@@ -64,5 +65,13 @@ internal struct ConstantAir : IFlightAir
 
     public readonly void Begin(in BallState start, out SeamAxes seams) => seams = default;
 
-    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) => Vector3d.Zero;
+    public readonly void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => turned = default;
+
+    public readonly void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end)
+    {
+        middle = default;
+        end = default;
+    }
+
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) => Vector3d.Zero;
 }

@@ -10,7 +10,7 @@ internal static class FlightRates
     /// <summary>Computes the rates at one stage of a step: a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>
     /// <param name="air">The air.</param>
     /// <param name="start">The ball at the start of the step.</param>
-    /// <param name="seams">The seams at the start; used only with a side force.</param>
+    /// <param name="seams">The seams at the stage; used only with a side force.</param>
     /// <param name="branch">The branch of the drag law that the step is locked to.</param>
     /// <param name="upward">The upward acceleration by gravity and buoyancy.</param>
     /// <param name="h">The time since the start of the step.</param>
@@ -18,7 +18,6 @@ internal static class FlightRates
     /// <param name="py">Its y component.</param>
     /// <param name="pz">Its z component.</param>
     /// <param name="distance">The distance through the air since the start.</param>
-    /// <param name="turn">The angle turned since the start.</param>
     /// <param name="nx">The x component of the spin axis.</param>
     /// <param name="ny">Its y component.</param>
     /// <param name="nz">Its z component.</param>
@@ -43,7 +42,6 @@ internal static class FlightRates
         double py,
         double pz,
         double distance,
-        double turn,
         double nx,
         double ny,
         double nz,
@@ -71,8 +69,8 @@ internal static class FlightRates
         double cx = (ny * uz) - (nz * uy);
         double cy = (nz * ux) - (nx * uz);
         double cz = (nx * uy) - (ny * ux);
-        air.Factors(
-            (ux * ux) + (uy * uy) + (uz * uz), spin, (cx * cx) + (cy * cy) + (cz * cz), branch, out double drag, out double lift, out double decay);
+        double squared = (ux * ux) + (uy * uy) + (uz * uz);
+        air.Factors(squared, spin, (cx * cx) + (cy * cy) + (cz * cz), branch, out double drag, out double lift, out double decay, out double share);
 
         // a = L (ω̂ × u) − D u + g ŷ
         ax = (lift * cx) - (drag * ux);
@@ -90,9 +88,9 @@ internal static class FlightRates
         // A side force depends on the distance flown through the air and on the orientation, so integrate both with the motion.
         if (air.HasSide)
         {
-            airSpeed = Math.Sqrt((ux * ux) + (uy * uy) + (uz * uz));
+            airSpeed = Math.Sqrt(squared);
             Vector3d side = air.Side(
-                in seams, ux, uy, uz, airSpeed, in start.Flight.Axis, spin * spin * ((cx * cx) + (cy * cy) + (cz * cz)), start.AirDistance + distance, turn);
+                in seams, ux, uy, uz, 1.0 / squared, airSpeed, share, spin * spin * ((cx * cx) + (cy * cy) + (cz * cz)), start.AirDistance + distance);
             ax += side.X;
             ay += side.Y;
             az += side.Z;
@@ -130,7 +128,7 @@ internal static class FlightRates
         Vector3d n = at.Flight.Axis;
         Begin(ref air, in at, out SeamAxes seams);
         At(
-            ref air, in at, in seams, at.Branch, upward, 0, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate, out _);
+            ref air, in at, in seams, at.Branch, upward, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate, out _);
         acceleration = new Vector3d(ax, ay, az);
     }
 }

@@ -25,8 +25,9 @@ internal struct NoAir : IFlightAir
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Factors(
-        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share)
     {
+        share = 0;
         drag = 0;
         lift = 0;
         decay = 0;
@@ -46,5 +47,13 @@ internal struct NoAir : IFlightAir
 
     public readonly void Begin(in BallState start, out SeamAxes seams) => seams = default;
 
-    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) => Vector3d.Zero;
+    public readonly void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => turned = default;
+
+    public readonly void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end)
+    {
+        middle = default;
+        end = default;
+    }
+
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) => Vector3d.Zero;
 }

@@ -111,6 +111,17 @@ internal unsafe struct SceneAir : IFlightAir
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share)
+    {
+        share = ShareAt(speedSquared);
+        Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+    }
+
+    /// <summary>Returns the share of subcritical flow for the knuckle force; 0 if none acts.</summary>
+    public readonly double ShareAt(double speedSquared) => _knuckle is null ? 0 : _knuckle.ShareAt(speedSquared);
+
     public readonly bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
         _laws.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
@@ -121,9 +132,14 @@ internal unsafe struct SceneAir : IFlightAir
 
     public readonly void Begin(in BallState start, out SeamAxes seams) => _knuckle!.Begin(in start, out seams);
 
+    public readonly void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => KnuckleForce.Turn(in seams, in axis, turn, out turned);
+
+    public readonly void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end) =>
+        KnuckleForce.Turn(in seams, in start, half, out middle, out end);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) =>
-        _knuckle!.Acceleration(in seams, ux, uy, uz, speed, in axis, crossSquared, distance, turn);
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) =>
+        _knuckle!.Acceleration(in seams, ux, uy, uz, perSquared, speed, share, crossSquared, distance);
 
     /// <summary>Returns the acceleration by the knuckle force, in m/s².</summary>
     /// <param name="u">The velocity relative to the air, in m/s.</param>

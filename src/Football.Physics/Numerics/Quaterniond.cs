@@ -129,6 +129,16 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
             s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * highS)))))))))));
         }
 
+        return Turned(in rotation, 0.5 * s, c);
+    }
+
+    /// <summary>Returns this rotation followed by another one.</summary>
+    /// <param name="axis">The axis of the other rotation, of any length.</param>
+    /// <param name="s">The sine of half its angle, divided by the length of the axis.</param>
+    /// <param name="c">The cosine of half its angle.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal Quaterniond Turned(in Vector3d axis, double s, double c)
+    {
         // Scale this quaternion by 1/√n², for n² = 1 + rounding: the norm of the other factor is 1. The scale does not wait for the sine.
         double scale = 1.5 - (0.5 * LengthSquared);
         double bx = scale * X;
@@ -137,11 +147,10 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         double bw = scale * W;
 
         // The product, component by component: a quaternion in between would be stored and loaded. The vector part of the other factor is
-        // sin(θ/2)/θ times the rotation vector; the products with that vector do not wait for the sine.
-        double rx = rotation.X;
-        double ry = rotation.Y;
-        double rz = rotation.Z;
-        s *= 0.5;
+        // s times the axis; the products with the axis do not wait for the sine.
+        double rx = axis.X;
+        double ry = axis.Y;
+        double rz = axis.Z;
         return new(
             (c * bx) + (s * ((rx * bw) + ((ry * bz) - (rz * by)))),
             (c * by) + (s * ((ry * bw) + ((rz * bx) - (rx * bz)))),
@@ -157,7 +166,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     }
 
     /// <summary>The distance of the squared norm from 1 up to which <see cref="Unit"/> keeps a quaternion.</summary>
-    /// <remarks>It is above the rounding errors of <see cref="Normalized"/> and <see cref="Turned"/>, and far below the contact tolerances.</remarks>
+    /// <remarks>It is above the rounding errors of <see cref="Normalized"/> and <see cref="Turned(in Vector3d)"/>, and far below the contact tolerances.</remarks>
     private const double NormRounding = 1e-14;
 
     /// <summary>Returns this quaternion if its norm is 1 up to rounding, and the normalized one otherwise.</summary>

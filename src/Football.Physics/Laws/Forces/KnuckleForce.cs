@@ -105,45 +105,57 @@ internal sealed class KnuckleForce
     public Vector3d Acceleration(in Vector3d u, in Vector3d spin, double distance, in Quaterniond orientation)
     {
         _seams.Turn(in orientation, out SeamAxes seams);
-        return Acceleration(in seams, u.X, u.Y, u.Z, u.Length, Vector3d.Zero, Vector3d.Cross(in spin, in u).LengthSquared, distance, 0);
+        double squared = u.LengthSquared;
+        return Acceleration(in seams, u.X, u.Y, u.Z, 1.0 / squared, Math.Sqrt(squared), ShareAt(squared), Vector3d.Cross(in spin, in u).LengthSquared, distance);
     }
 
-    /// <summary>Returns the acceleration of a ball that turns about a constant axis, in m/s².</summary>
+    /// <summary>Returns q, the share of subcritical flow.</summary>
+    public double ShareAt(double speedSquared) => _flow.Share(speedSquared);
+
+    /// <summary>Turns the seams about a constant axis.</summary>
     /// <param name="seams">The axes of the seams before the turn.</param>
+    /// <param name="axis">The axis of the turn.</param>
+    /// <param name="turn">The angle of the turn, in rad.</param>
+    /// <param name="turned">The axes of the seams after it.</param>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned)
+    {
+        SmallAngle(turn, out double sin, out double versine);
+        seams.Turn(in axis, sin, versine, out turned);
+    }
+
+    /// <inheritdoc cref="IFlightLaws.Turn(in SeamAxes, in BallState, double, out SeamAxes, out Quaterniond)"/>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end)
+    {
+        SmallAngle(half, out double sin, out double versine);
+        seams.Turn(in start.Flight.Axis, sin, versine, out middle);
+        end = start.BaseOrientation.Turned(in start.Flight.Axis, sin, 1.0 - versine);
+    }
+
+    /// <summary>Returns the acceleration at an orientation, in m/s².</summary>
+    /// <param name="seams">The axes of the seams.</param>
     /// <param name="ux">The x component of the velocity relative to the air, in m/s.</param>
     /// <param name="uy">Its y component.</param>
     /// <param name="uz">Its z component.</param>
-    /// <param name="speed">Its size.</param>
-    /// <param name="axis">The axis of the turn.</param>
+    /// <param name="perSquared">1/|u|², in s²/m².</param>
+    /// <param name="speed">|u|, in m/s.</param>
+    /// <param name="share">q, the share of subcritical flow.</param>
     /// <param name="crossSquared">|ω × u|², in m²/s⁴.</param>
     /// <param name="distance">The distance flown through the air, s, in m.</param>
-    /// <param name="turn">The angle of the turn, in rad.</param>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public Vector3d Acceleration(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn)
+    public Vector3d Acceleration(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance)
     {
-        double squared = (ux * ux) + (uy * uy) + (uz * uz);
-        if (!(squared >= Slowest * Slowest))
+        if (!(speed >= Slowest))
         {
             return Vector3d.Zero;
         }
 
-        // The seams: U G, from u instead of û, so that nothing waits for a root.
-        double perSquared = 1.0 / squared;
-        double along;
-        Vector3d field;
-        if (turn == 0)
-        {
-            field = _seams.At(in seams, ux, uy, uz, perSquared, out along);
-        }
-        else
-        {
-            // Turn the axes, and not u and the field: this does not wait for u.
-            SmallAngle(turn, out double sin, out double versine);
-            seams.Turn(in axis, sin, versine, out SeamAxes turned);
-            field = _seams.At(in turned, ux, uy, uz, perSquared, out along);
-        }
-
+        // The seams: U G, from u instead of û, so that nothing waits for a root. The axes turn, and not u and the field: turning them does not wait for u.
+        Vector3d field = _seams.At(in seams, ux, uy, uz, perSquared, out double along);
         along *= perSquared;
 
         // The wake: ê₁ = û × ŷ normalised, or ẑ if û is vertical; ê₂ = ê₁ × û. All times U.
@@ -154,13 +166,13 @@ internal sealed class KnuckleForce
         double f2 = wake * _second.At(flown);
 
         // ½ ρ π r² U C_K/m (1 − (1 − g₀) q)/(1 + (S/S_K)²),  S² = r² |ω × u|²/U⁴
-        double share = 1.0 - ((1.0 - Subcritical) * _flow.Share(squared));
+        double left = 1.0 - ((1.0 - Subcritical) * share);
         double fading = 1.0 + (_surface * crossSquared * (perSquared * perSquared));
 
         // One division serves 1/fading and 1/√level.
         double root = level > 0 ? Math.Sqrt(level) : 1.0;
         double reciprocal = 1.0 / (fading * root);
-        double scale = _scale * speed * share * (reciprocal * root);
+        double scale = _scale * speed * left * (reciprocal * root);
         double perLevel = reciprocal * fading;
         double ex = -uz * perLevel;
         double ez = level > 0 ? ux * perLevel : 1.0;

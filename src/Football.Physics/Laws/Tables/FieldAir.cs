@@ -38,8 +38,9 @@ internal struct FieldAir<TLaw> : IFlightAir
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Factors(
-        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share)
     {
+        share = _scene.ShareAt(speedSquared);
         _table.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
         lift += _reverse.Acts ? _reverse.Part(speedSquared, spinRate, acrossSquared) : 0;
     }
@@ -58,7 +59,12 @@ internal struct FieldAir<TLaw> : IFlightAir
 
     public readonly void Begin(in BallState start, out SeamAxes seams) => _scene.Begin(in start, out seams);
 
+    public readonly void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => KnuckleForce.Turn(in seams, in axis, turn, out turned);
+
+    public readonly void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end) =>
+        KnuckleForce.Turn(in seams, in start, half, out middle, out end);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) =>
-        _scene.Side(in seams, ux, uy, uz, speed, in axis, crossSquared, distance, turn);
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) =>
+        _scene.Side(in seams, ux, uy, uz, perSquared, speed, share, crossSquared, distance);
 }

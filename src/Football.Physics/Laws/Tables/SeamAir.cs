@@ -36,8 +36,8 @@ internal struct SeamAir<TLaw> : IFlightAir
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Factors(
-        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
-        _table.Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share) =>
+        _table.Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay, out share);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool FactorsPerSpin(
@@ -48,7 +48,12 @@ internal struct SeamAir<TLaw> : IFlightAir
 
     public readonly void Begin(in BallState start, out SeamAxes seams) => _knuckle.Begin(in start, out seams);
 
+    public readonly void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => KnuckleForce.Turn(in seams, in axis, turn, out turned);
+
+    public readonly void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end) =>
+        KnuckleForce.Turn(in seams, in start, half, out middle, out end);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) =>
-        _knuckle.Acceleration(in seams, ux, uy, uz, speed, in axis, crossSquared, distance, turn);
+    public readonly Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) =>
+        _knuckle.Acceleration(in seams, ux, uy, uz, perSquared, speed, share, crossSquared, distance);
 }

@@ -93,7 +93,12 @@ internal struct TableAir<TLaw> : IFlightAir
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Factors(
-        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay, out _);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay, out double share)
     {
         // A stage may overshoot zero spin: in that case, use S = 0.
         double spin = spinRate > 0 ? spinRate : 0;
@@ -113,6 +118,7 @@ internal struct TableAir<TLaw> : IFlightAir
 
         _speeds.Evaluate(speedSquared * (_law.SpeedScale * _law.SpeedScale), out LawFactors bySpeed);
         _spins.Evaluate(ofSpin, out LawFactors bySpin);
+        share = bySpeed.Fourth;
         double speed = Math.Sqrt(speedSquared);
         _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
         if (_constant.Any)
@@ -191,7 +197,15 @@ internal struct TableAir<TLaw> : IFlightAir
 
     public void Begin(in BallState start, out SeamAxes seams) => seams = default;
 
-    public Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double speed, in Vector3d axis, double crossSquared, double distance, double turn) => Vector3d.Zero;
+    public void Turn(in SeamAxes seams, in Vector3d axis, double turn, out SeamAxes turned) => turned = default;
+
+    public void Turn(in SeamAxes seams, in BallState start, double half, out SeamAxes middle, out Quaterniond end)
+    {
+        middle = default;
+        end = default;
+    }
+
+    public Vector3d Side(in SeamAxes seams, double ux, double uy, double uz, double perSquared, double speed, double share, double crossSquared, double distance) => Vector3d.Zero;
 }
 
 /// <summary>The states and step lengths for which the tables hold at every stage, for any gravity and air.</summary>
