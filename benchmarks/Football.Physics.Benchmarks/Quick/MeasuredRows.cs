@@ -24,6 +24,12 @@ internal static class MeasuredRows
         InWind("wind by height", "RK4", s_byHeight, Integrator.Rk4, 1.6),
         InWind("gusts", "RK2", s_gusts, Integrator.Rk2, 3),
         InWind("gusts", "RK4", s_gusts, Integrator.Rk4, 3),
+        WithSeams(0, "RK2", Integrator.Rk2, 2.6),
+        WithSeams(5, "RK2", Integrator.Rk2, 2.6),
+        WithSeams(60, "RK2", Integrator.Rk2, 2.6),
+        WithSeams(0, "RK4", Integrator.Rk4, 3),
+        WithSeams(5, "RK4", Integrator.Rk4, 3),
+        WithSeams(60, "RK4", Integrator.Rk4, 3),
     ];
 
     private static TargetRow OfPublished(string name, Integrator integrator, IReadOnlyList<Shot> shots) => new(
@@ -43,6 +49,19 @@ internal static class MeasuredRows
         Error = () => BatchWorkloads.LandingError(Scene.Measured, integrator, shots),
         Note = () => $"{Text.Length(BatchWorkloads.FromSingleBall(Scene.Measured, integrator, shots))} at most from the single ball",
     };
+
+    /// <summary>The same shots with a knuckle seed and without one, at one spin.</summary>
+    private static TargetRow WithSeams(double spin, string name, Integrator integrator, double target)
+    {
+        Shot[] shots = ShotSets.Make(11, 24, 24, spin, spin);
+        return new TargetRow(
+            FormattableString.Invariant($"seams, {spin} rad/s, of steps without a seed: {name}"),
+            () => Workloads.Flight(Scene.Measured with { Forces = ForceSet.Measured with { KnuckleSeed = 3 } }, integrator, shots),
+            () => Workloads.Flight(Scene.Measured, integrator, shots))
+        {
+            Target = target,
+        };
+    }
 
     private static TargetRow InWind(string wind, string name, Scene scene, Integrator integrator, double target) => new(
         $"{wind}, measured laws, of still air: {name}",

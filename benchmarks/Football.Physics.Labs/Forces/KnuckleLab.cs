@@ -78,6 +78,7 @@ internal static class KnuckleLab
             spins.Add(spin, side);
         }
 
+        run.Notes.Add("Missed: C_D. It is that of the default ball's drag law, 0.179 on this flight. The five measured types have 0.130 to 0.224: none of them is the default ball, whose drag was measured in a match.");
         run.Notes.Add("Missed: the measured balls deviate more sideways than in height (0.82 and 0.74 m); the law has no such difference.");
         run.Picture = () => Picture(turning);
     }
