@@ -209,7 +209,7 @@ echo "ok    replay: of $all pictures all play when chosen, show the ball at the 
 dotnet docs/Site/bin/Release/net10.0/football-site.dll "$work/site" > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "docs/Site"; }
 pictures site "$work/site/index.html"
 pictures type "$work/site/api-ball.html"
-search=$(probe "$work/site/index.html" 'document.getElementById("search").value = "roll back"; show();')
+search=$(probe "$work/site/index.html" 'document.getElementById("search").value = "roll back"; prepare().then(show);')
 open search 1280,900 light "file://$search"
 grep -q '<li><a href="networking.html#rollback"' "$work/search.dom" || fail "site: the search does not find what is there"
 echo "ok    site: $(ls "$work/site"/*.html | grep -vc probe) pages; the search answers"

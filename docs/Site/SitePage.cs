@@ -32,7 +32,8 @@ internal class SitePage
         Source = source;
         File = file ?? FileOf(source);
         Document = Markdown.Parse(text, Pipeline);
-        Title = Words(Document.Descendants<HeadingBlock>().First().Inline!);
+        // Two pages have the name of the library as their heading.
+        Title = source == "README.md" ? "About" : Words(Document.Descendants<HeadingBlock>().First().Inline!);
         foreach (LinkInline link in Document.Descendants<LinkInline>())
         {
             Turn(link);
@@ -46,6 +47,8 @@ internal class SitePage
         {
             // Pages for contributors also name folders and private types.
             LinkCode();
+            LanguageTabs.Group(Document);
+            LiveBlocks.Insert(Document, File);
         }
     }
 
@@ -54,6 +57,9 @@ internal class SitePage
 
     /// <summary>The page that lists all others.</summary>
     public const string ContentsSource = "docs/contents.md";
+
+    /// <summary>The text of the first page.</summary>
+    public const string LandingSource = "docs/Site/Assets/landing.md";
 
     /// <summary>The folder of the pages for contributors.</summary>
     public const string Internals = "docs/internals/";
@@ -115,7 +121,8 @@ internal class SitePage
         return heading;
     }
 
-    protected static string Words(Block block) => block switch
+    /// <summary>The words of a block.</summary>
+    internal static string Words(Block block) => block switch
     {
         LeafBlock { Inline: { } inline } => Words(inline),
         CodeBlock code => code.Lines.ToString().ReplaceLineEndings(" "),
@@ -131,10 +138,12 @@ internal class SitePage
         _ => "",
     }));
 
-    private static string Code(Block block) => string.Join(' ', block.Descendants<CodeInline>().Select(code => code.Content)
+    /// <summary>The programs of a block, and the code in its sentences.</summary>
+    internal static string Code(Block block) => string.Join(' ', block.Descendants<CodeInline>().Select(code => code.Content)
         .Concat(block.Descendants<CodeBlock>().Concat(block is CodeBlock self ? [self] : []).Select(code => code.Lines.ToString())));
 
-    private static string FileOf(string source) => source == "README.md" ? "index.html"
+    /// <summary>The name in the site of a page of the repository.</summary>
+    public static string FileOf(string source) => source == LandingSource ? "index.html" : source == "README.md" ? "readme.html"
         : (source.StartsWith(Internals, StringComparison.Ordinal) ? "internals-" : "") + Path.GetFileNameWithoutExtension(source) + ".html";
 
     /// <summary>The API reference has its families of types as bold lines; they become headings, so that links can lead to them.</summary>

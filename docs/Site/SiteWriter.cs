@@ -15,9 +15,10 @@ internal static partial class SiteWriter
     public static IReadOnlyList<string> Write(string repository, string folder)
     {
         // The page of contents gives the order and the groups.
-        (string Source, string Group)[] sources = [("README.md", ""), (SitePage.ContentsSource, ""), .. Grouped(Read(repository, SitePage.ContentsSource))];
+        (string Source, string Group)[] sources = [(SitePage.LandingSource, ""), ("README.md", ""), (SitePage.ContentsSource, ""), .. Grouped(Read(repository, SitePage.ContentsSource))];
         var api = new ApiIndex(Read(repository, SitePage.Api));
         (SitePage Page, string Group)[] pages = [.. sources.Select(source => (new SitePage(source.Source, source.Source == SitePage.Api ? api.Overview : Read(repository, source.Source), api), source.Group))];
+        pages = [.. pages[..3], (new SitePage("docs/Site/gallery.md", GalleryWall.Text, api, GalleryWall.File), ""), .. pages[3..]];
         HashSet<string> types = [.. api.Types.Select(type => type.Name)];
         ILookup<string, Section> uses = Uses(pages.Where(page => page.Group == "Guides"), types).Concat(Uses(pages.Where(page => page.Page.Source == "docs/data-sets.md"), types)).ToLookup(use => use.Type, use => use.Section);
         SitePage[] all = [.. pages.Select(page => page.Page), .. api.Types.Select(type => new TypePage(type, api, [.. uses[type.Name]]))];
@@ -29,8 +30,10 @@ internal static partial class SiteWriter
                 .Replace("{{title}}", WebUtility.HtmlEncode(page.Title), StringComparison.Ordinal)
                 .Replace("{{pages}}", Menu(pages, page, api), StringComparison.Ordinal)
                 .Replace("{{crumbs}}", Crumbs(pages, page), StringComparison.Ordinal)
-                .Replace("{{first}}", page.File == "index.html" ? Asset("first.html") : "", StringComparison.Ordinal)
-                .Replace("{{contents}}", Contents(page), StringComparison.Ordinal)
+                .Replace("{{neighbours}}", Neighbours(pages, page), StringComparison.Ordinal)
+                .Replace("{{live}}", page.Html.Contains("<figure class=\"live\"", StringComparison.Ordinal) ? "<script src=\"live.js\"></script>\n" : "", StringComparison.Ordinal)
+                .Replace("{{kind}}", page.File == "index.html" ? " class=\"landing\"" : "", StringComparison.Ordinal)
+                .Replace("{{contents}}", page.File == "index.html" ? "" : Contents(page), StringComparison.Ordinal)
                 .Replace("{{version}}", typeof(Ball).Assembly.GetName().Version!.ToString(3), StringComparison.Ordinal)
                 .Replace("{{content}}", page.Html, StringComparison.Ordinal);
             File.WriteAllText(Path.Combine(folder, page.File), written);
@@ -41,9 +44,15 @@ internal static partial class SiteWriter
         }
 
         File.WriteAllText(Path.Combine(folder, Tool.Playground.File), Tool.Playground.Html);
-        File.WriteAllText(Path.Combine(folder, "pages.js"), Asset("pages.js"));
-        File.WriteAllText(Path.Combine(folder, "style.css"), Asset("style.css"));
-        File.WriteAllText(Path.Combine(folder, "search.js"), $"const SECTIONS = {Index(all)};\n{Asset("search.js")}");
+        File.WriteAllText(Path.Combine(folder, "live-runtime.js"), $"const LIVE_RUNTIME = {Runtime(Tool.Playground.Html)};\n");
+        foreach (string asset in (string[])["pages.js", "live.js", "style.css", "search.js"])
+        {
+            File.WriteAllText(Path.Combine(folder, asset), Asset(asset));
+        }
+
+        File.WriteAllText(Path.Combine(folder, "search-index.js"), $"const SECTIONS = {Index(all)};\n");
+        File.WriteAllText(Path.Combine(folder, LlmsText.File), LlmsText.Of(Read(repository, SitePage.ContentsSource), page => SitePage.FileOf("docs/" + page)));
+        GalleryWall.Write(folder);
         return [.. pages.Select(page => page.Page.File)];
     }
 
@@ -100,7 +109,7 @@ internal static partial class SiteWriter
         else
         {
             string group = pages.Single(other => other.Page == page).Group;
-            path = group.Length == 0 ? [] : [($"{pages[1].Page.File}#{SitePage.AddressOf(group)}", group)];
+            path = group.Length == 0 ? [] : [($"{SitePage.FileOf(SitePage.ContentsSource)}#{SitePage.AddressOf(group)}", group)];
         }
 
         return "<nav class=\"crumbs\" aria-label=\"Breadcrumb\"><ol>"
@@ -115,6 +124,24 @@ internal static partial class SiteWriter
         return sections.Length < 3 ? ""
             : "<aside aria-label=\"On this page\"><details open><summary>On this page</summary>\n"
                 + string.Concat(sections.Select(section => $"<a{(section.IsSub ? " class=\"sub\"" : "")} href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</details></aside>\n";
+    }
+
+    /// <summary>Links to the pages before and after a page, in the order of the page of contents.</summary>
+    private static string Neighbours((SitePage Page, string Group)[] pages, SitePage page)
+    {
+        int at = Array.FindIndex(pages, other => other.Page == page);
+        return at <= 0 ? ""
+            : "<nav class=\"neighbours\" aria-label=\"Previous and next\">" + Link(at - 1, "previous", "←") + Link(at + 1, "next", "→") + "</nav>\n";
+
+        string Link(int index, string kind, string arrow) => index == pages.Length ? ""
+            : $"<a rel=\"{(kind == "next" ? "next" : "prev")}\" href=\"{pages[index].Page.File}\"><small>{(kind == "next" ? "Next " + arrow : arrow + " Previous")}</small> {WebUtility.HtmlEncode(pages[index].Page.Title)}</a>";
+    }
+
+    /// <summary>The npm package inside the page to play with: its files by name, each packed with gzip and in base64.</summary>
+    private static string Runtime(string playground)
+    {
+        Match resources = Resources().Match(playground);
+        return resources.Success ? resources.Groups[1].Value : throw new InvalidOperationException("The page to play with contains no resources.");
     }
 
     private static string Index(SitePage[] pages) => JsonSerializer.Serialize(
@@ -136,4 +163,7 @@ internal static partial class SiteWriter
 
     [GeneratedRegex(@"\w+")]
     private static partial Regex Word();
+
+    [GeneratedRegex(@"<script[^>]* id=""resources""[^>]*>\s*(\{.*?\})\s*</script>", RegexOptions.Singleline)]
+    private static partial Regex Resources();
 }

@@ -11,6 +11,7 @@ public sealed class Window : IAsyncDisposable
     public Window(IPage page)
     {
         Page = page;
+        page.Request += (_, request) => Loaded.Add(request.Url);
         page.PageError += (_, error) => Errors.Add(error);
         page.Console += (_, message) =>
         {
@@ -25,6 +26,9 @@ public sealed class Window : IAsyncDisposable
 
     /// <summary>Errors and warnings of its programs.</summary>
     public List<string> Errors { get; } = [];
+
+    /// <summary>The addresses that the page has asked for, since it was opened.</summary>
+    public List<string> Loaded { get; } = [];
 
     /// <summary>Waits until the library runs in the page.</summary>
     public async Task<Window> Ready()

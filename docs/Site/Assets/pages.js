@@ -39,3 +39,52 @@ for (const code of document.querySelectorAll("pre > code")) {
   block.replaceWith(frame);
   frame.append(block, button);
 }
+
+// One tab for each language. The choice holds for all pages; without a program in that language, the first tab is shown.
+const stored = (name, value) => { try { if (value === undefined) return localStorage.getItem(name); localStorage.setItem(name, value); } catch { /* some browsers forbid storage */ } return null; };
+const groups = [...document.querySelectorAll(".tabs")].map(group => {
+  const tabs = [...group.children], list = document.createElement("div");
+  list.setAttribute("role", "tablist");
+  const buttons = tabs.map(tab => {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: tab.dataset.language });
+    button.setAttribute("role", "tab");
+    tab.setAttribute("role", "tabpanel");
+    button.addEventListener("click", () => {
+      const top = button.getBoundingClientRect().top;
+      stored("language", tab.dataset.language);
+      choose(tab.dataset.language);
+      // Tabs above this one change their heights too.
+      scrollBy(0, button.getBoundingClientRect().top - top);
+    });
+    return button;
+  });
+  list.addEventListener("keydown", e => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[e.key], at = buttons.indexOf(document.activeElement);
+    if (!step || at < 0) return;
+    const next = buttons[(at + step + buttons.length) % buttons.length];
+    next.click();
+    next.focus();
+  });
+  list.append(...buttons);
+  group.prepend(list);
+  return { tabs, buttons };
+});
+
+function choose(language) {
+  for (const { tabs, buttons } of groups) {
+    const shown = Math.max(0, tabs.findIndex(tab => tab.dataset.language === language));
+    tabs.forEach((tab, i) => {
+      tab.hidden = i !== shown;
+      buttons[i].setAttribute("aria-selected", String(i === shown));
+      buttons[i].tabIndex = i === shown ? 0 : -1;
+    });
+  }
+}
+choose(stored("language"));
+
+// The theme is that of the system until somebody chooses.
+document.getElementById("theme").addEventListener("click", () => {
+  const root = document.documentElement, isDark = getComputedStyle(root).colorScheme === "dark";
+  root.dataset.theme = isDark ? "light" : "dark";
+  stored("theme", root.dataset.theme);
+});
