@@ -181,15 +181,17 @@ ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
 (( $(grep -c '^kick' "$work/said") == 3 )) || fail "examples/track.py finds other kicks than its three"
 awk '$1 == "wind_z" { found = ($2 - 3)^2 < ($4 * 4 + 0.1)^2 } END { exit !found }' "$work/said" || fail "examples/track.py: $(grep wind_z "$work/said"); it blows with 3 m/s"
 ok "examples/track.py: $(head -n 1 "$work/said")"
-"$python" "$root/tests/Python/pages.py" --c docs/c.md "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
-ok "$(tail -n 1 "$work/said")"
+for page in docs/c.md docs/getting-started.md; do
+  "$python" "$root/tests/Python/pages.py" --c "$page" "$prefix" > "$work/said" 2> "$log" || fail "$page"
+  ok "$(tail -n 1 "$work/said")"
+done
 
 # --- LÖVE and pygame: a kick without a person, and its picture
 
 start=$SECONDS
-"$python" "$root/tests/Python/pages.py" --lua docs/c.md "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md, Lua"
+"$python" "$root/tests/Python/pages.py" --lua docs/lua.md "$prefix" > "$work/said" 2> "$log" || fail "docs/lua.md"
 ok "$(tail -n 1 "$work/said")"
-FOOTBALL_PHYSICS=$prefix page docs/c.md#lua-and-love2d
+FOOTBALL_PHYSICS=$prefix page "docs/lua.md#a-game"
 page docs/data-sets.md#pygame
 /usr/bin/python3 "$root/tests/Python/picture.py" "$work/clone/out/love.png" "$work/clone/out/pygame.png" > "$work/said" 2> "$log" || fail "picture.py"
 ok "samples/Love and samples/Pygame print the hash of C# as the pages say; each picture contains $(head -n 1 "$work/said" | cut -d ' ' -f 2-), in $(( SECONDS - start )) s"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The npm package of a release as a stranger uses it: installed into an empty folder, its size, its types, bad input, the programs of docs/c.md, and the three.js sample in a browser.
+# The npm package of a release as a stranger uses it: installed into an empty folder, its size, its types, bad input, the programs of docs/, and the three.js sample in a browser.
 #   tests/npm.sh [DIR]     the picture of the sample in DIR (default out/npm)
 # Needs Node, npm and a Chromium. Web.Tests compares the bits with C#.
 set -euo pipefail
@@ -42,8 +42,10 @@ echo "ok    the types compile, and reject what they should"
 
 node refusals.mjs > "$log" 2>&1 || fail "refusals.mjs"
 echo "ok    $(tail -n 1 "$log")"
-node docs.mjs "$root/docs/c.md" > "$log" 2>&1 || fail "docs/c.md"
-echo "ok    $(tail -n 1 "$log")"
+for page in docs/javascript.md docs/getting-started.md; do
+  node docs.mjs "$root/$page" > "$log" 2>&1 || fail "$page"
+  echo "ok    $(tail -n 1 "$log")"
+done
 
 # The sample takes the package from the folder that `dotnet publish` writes. Here that folder has the files of the release, and no sources are beside it.
 start=$SECONDS
@@ -51,6 +53,6 @@ mkdir -p "$work/clone/samples/Three" "$work/clone/src/Football.Physics.Web/bin"
 (cd "$root" && git ls-files -z -- samples/Three | xargs -0 cp --parents -t "$work/clone")
 cp -R "$package" "$work/clone/src/Football.Physics.Web/bin/package"
 cd "$work/clone"
-"$root/tests/blocks.py" run docs/c.md#threejs > "$log" 2>&1 || fail "docs/c.md, three.js"
+"$root/tests/blocks.py" run docs/javascript.md#threejs > "$log" 2>&1 || fail "docs/javascript.md, three.js"
 mv samples/Three/shot.png "$out/three.png"
 echo "ok    samples/Three in a browser: $(grep -c '^hash' "$log") hashes as in C#, in $(( SECONDS - start )) s"

@@ -1,4 +1,4 @@
-// Runs the programs of docs/c.md, and compares what they print with the page. With --write, writes it there.
+// Runs the programs of docs/javascript.md, and compares what they print with the page. With --write, writes it there.
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "football-physics";
 
