@@ -15,11 +15,13 @@ internal static class DrawnPoints
     private const double MostOfFall = 0.3;
     private const double MostOfUsual = 0.3;
 
-    /// <summary>The minimum number of successive drawn points.</summary>
+    /// <summary>The minimum number of successive points on a line, and of repeated positions.</summary>
     private const int LeastPoints = 2;
+    private const int LeastHeld = 1;
 
-    /// <summary>The height above the lowest tenth of the track below which a ball may roll straight, in m.</summary>
+    /// <summary>The height above the lowest tenth of the track below which a ball may roll straight, in m, and the vertical speed of a ball that does not roll, in m/s.</summary>
     private const double Low = 0.5;
+    private const double LeastFallSpeed = 0.5;
 
     /// <summary>The distance after a held position, in m, that a ball does not move in one step unless it moved before.</summary>
     private const double LeastJump = 0.15;
@@ -64,11 +66,13 @@ internal static class DrawnPoints
             return 0;
         }
 
+        bool Flies(int i) => track[i].Position.Y > high
+            || Math.Abs(track[i + 1].Position.Y - track[i - 1].Position.Y) > LeastFallSpeed * (track[i + 1].Time - track[i - 1].Time);
         int count = 0;
         for (int i = 1; i + 1 < track.Length;)
         {
             int end = i;
-            while (end + 1 < track.Length && off[end] <= tolerance && track[end].Position.Y > high && !gone[end])
+            while (end + 1 < track.Length && off[end] <= tolerance && Flies(end) && !gone[end])
             {
                 end++;
             }
@@ -98,7 +102,7 @@ internal static class DrawnPoints
 
             bool moves = i >= 2 && end < track.Length && (track[end].Position - track[i - 1].Position).Length > LeastJump
                 && (track[i - 1].Position - track[i - 2].Position).Length > 0.25 * (track[end].Position - track[i - 1].Position).Length / (end - i + 1);
-            if (end - i >= LeastPoints && moves)
+            if (end - i >= LeastHeld && moves)
             {
                 Array.Fill(gone, true, i, end - i);
                 count += end - i;

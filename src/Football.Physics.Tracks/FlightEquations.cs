@@ -28,15 +28,12 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
 
     private readonly StepLog _log = new();
     private readonly double[] _changed = new double[Launch];
-    private readonly Vector3d[] _lefts = new Vector3d[Launch];
+    private Vector3d[] _lefts = [];
     private Vector3d[] _path = [];
     private Vector3d[] _other = [];
 
     /// <summary>The height of the ball's centre on the ground, in m, once known; heights near the ground have an additional error.</summary>
     public double Contact { get; set; } = double.NegativeInfinity;
-
-    /// <summary>True if <see cref="Normal"/> also computes <see cref="FlightPath.Scatter"/>. Default false.</summary>
-    public bool KeepsScatter { get; set; }
 
     /// <summary>Simulates a flight from its launch.</summary>
     /// <param name="simulator">The scene.</param>
@@ -112,19 +109,22 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
     /// <param name="flight">The flight.</param>
     /// <param name="normal">Receives JᵀWJ for launch and shared parameters, row by row.</param>
     /// <param name="gradient">Receives JᵀWr.</param>
+    /// <param name="scatter">Receives JᵀW²J, the covariance of the gradient for residuals with a variance of 1 m²; null to skip it.</param>
+    /// <param name="lowHeights">Receives JᵀWb for the common height error b near the ground; null to skip it.</param>
+    /// <param name="secants">Half the widths of central differences for the spin, in rad/s; null for narrow forward differences.</param>
     /// <returns>The cost.</returns>
-    public double Normal(Simulator at, Simulator[] shared, double[] differences, FlightPath flight, double[] normal, double[] gradient)
+    public double Normal(
+        Simulator at, Simulator[] shared, double[] differences, FlightPath flight, double[] normal, double[] gradient, double[]? scatter = null, double[]? lowHeights = null,
+        Vector3d? secants = null)
     {
         // 1. The path, and one per changed parameter; the launch position only shifts the path. 2. The weighted rows of J. 3. The prior of the spin.
         int size = Launch + shared.Length;
         int count = flight.Count;
         Reserve(count);
         Follow(at, flight, flight.Values, _path);
-        Vector3d[][] jacobian = Jacobian(at, shared, differences, flight);
+        Vector3d[][] jacobian = Jacobian(at, shared, differences, flight, secants);
         Array.Clear(normal, 0, size * size);
         Array.Clear(gradient, 0, size);
-        Array.Clear(flight.LowHeights, 0, Launch);
-        Array.Clear(flight.Scatter, 0, flight.Scatter.Length);
         for (int i = 0; i < count; i++)
         {
             ref readonly TrackPoint point = ref track[flight.First + i];
@@ -138,20 +138,14 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
             {
                 Vector3d left = Weighted(j < 3 ? Vector3d.Axis(j) : jacobian[j][i], in weights);
                 gradient[j] += Vector3d.Dot(in left, in miss);
-                if (j < Launch)
+                if (lowHeights is not null)
                 {
-                    flight.LowHeights[j] += left.Y * Wrong(in point);
+                    lowHeights[j] += left.Y * Wrong(in point);
                 }
 
-                if (j < Launch && KeepsScatter)
+                if (scatter is not null)
                 {
-                    _lefts[j] = left;
-                    for (int k = 0; k <= j; k++)
-                    {
-                        double product = Vector3d.Dot(in left, in _lefts[k]);
-                        flight.Scatter[(j * Launch) + k] += product;
-                        flight.Scatter[(k * Launch) + j] += k < j ? product : 0;
-                    }
+                    AddScatter(scatter, size, j, in left);
                 }
 
                 for (int k = 0; k <= j; k++)
@@ -180,26 +174,50 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
         return Cost(flight, flight.Values, _path);
     }
 
+    private void AddScatter(double[] scatter, int size, int row, in Vector3d left)
+    {
+        if (_lefts.Length < size)
+        {
+            _lefts = new Vector3d[size];
+        }
+
+        _lefts[row] = left;
+        for (int k = 0; k <= row; k++)
+        {
+            double product = Vector3d.Dot(in left, in _lefts[k]);
+            scatter[(row * size) + k] += product;
+            scatter[(k * size) + row] += k < row ? product : 0;
+        }
+    }
+
     /// <summary>Returns the derivatives of the path, from one path per changed parameter; none for the launch position.</summary>
-    private Vector3d[][] Jacobian(Simulator at, Simulator[] shared, double[] differences, FlightPath flight)
+    private Vector3d[][] Jacobian(Simulator at, Simulator[] shared, double[] differences, FlightPath flight, Vector3d? secants)
     {
         int size = Launch + shared.Length;
         int count = flight.Count;
         var jacobian = new Vector3d[size][];
+        Vector3d[] opposite = secants is null ? [] : new Vector3d[count];
         for (int j = 3; j < size; j++)
         {
             jacobian[j] = new Vector3d[count];
             Array.Copy(flight.Values, _changed, Launch);
-            double step = j < 6 ? VelocityStep : j < Launch ? SpinStep : differences[j - Launch];
+            bool isCentral = secants is not null && j is >= 6 and < Launch;
+            double step = isCentral ? secants!.Value.Along(j - 6) : j < 6 ? VelocityStep : j < Launch ? SpinStep : differences[j - Launch];
             if (j < Launch)
             {
                 _changed[j] += step;
             }
 
             Follow(j < Launch ? at : shared[j - Launch], flight, _changed, _other);
+            if (isCentral)
+            {
+                _changed[j] -= 2 * step;
+                Follow(at, flight, _changed, opposite);
+            }
+
             for (int i = 0; i < count; i++)
             {
-                jacobian[j][i] = (_other[i] - _path[i]) / step;
+                jacobian[j][i] = isCentral ? (_other[i] - opposite[i]) / (2 * step) : (_other[i] - _path[i]) / step;
             }
         }
 

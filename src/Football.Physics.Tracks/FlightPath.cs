@@ -27,12 +27,6 @@ internal sealed class FlightPath(int first, int end)
     /// <summary>The covariance matrix of <see cref="Values"/>.</summary>
     public double[] Covariance { get; set; } = new double[Launch * Launch];
 
-    /// <summary>JᵀWb for the common height error b near the ground.</summary>
-    public double[] LowHeights { get; } = new double[Launch];
-
-    /// <summary>JᵀW²J, the covariance of the gradient for a variance of 1 m².</summary>
-    public double[] Scatter { get; } = new double[Launch * Launch];
-
     /// <summary>The root mean square of the residuals, in m.</summary>
     public double Rms { get; set; }
 

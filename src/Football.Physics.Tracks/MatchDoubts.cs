@@ -3,26 +3,38 @@ namespace FootballPhysics.Tracks;
 /// <summary>Tests whether the flights of a track obey the laws: gravity, which reveals a wrong clock or wrong heights, and one wind for the whole track.</summary>
 internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEquations equations, TrackPoint[] track, List<FlightPath> flights, double[] shares)
 {
-    /// <summary>The deviations of gravity, and its error, beyond which times or heights are wrong.</summary>
+    /// <summary>The deviations of gravity, and its error, beyond which times or heights are wrong: of the scene's ball, of another ball, and of any.</summary>
     private const double WeightDeviations = 3.5;
-    private const double LeastWeight = 0.012;
+    private const double LeastWeight = 0.008;
+    private const double LeastStrangeWeight = 0.014;
+    private const double LargeWeight = 0.025;
+    private const double LargeWeightDeviations = 2.5;
+
+    /// <summary>The residuals from which the linear step of gravity does not reach its value: as a multiple of the noise, plus m.</summary>
+    private const double FarShare = 3.5;
+    private const double FarError = 0.005;
 
     /// <summary>The square of the change of wind, in deviations, and the change in m/s, beyond which a part of the track is turned.</summary>
     private const double WindDeviations = 30;
     private const double LeastWind = 0.8;
 
     /// <summary>The square of the distance of the fitted drag from that of the ball, in deviations, above which the laws are in doubt.</summary>
-    private const double MostStrangeness = 20;
+    private const double MostStrangeness = 12;
 
-    /// <summary>The doubt about the laws: the error of a velocity as a share of it, and of a spin in rad/s and as a share of it.</summary>
+    /// <summary>The doubt about the laws: the error of the drag of a flight and of a velocity as shares of them, and of a spin in rad/s and as a share of it.</summary>
+    private const double LawDrag = 0.04;
     private const double LawVelocity = 0.0025;
     private const double LawSpin = 1;
     private const double LawSpinShare = 0.08;
 
+    /// <summary>The squares of deviations above which a factor of gravity, and a change of the wind at the most different moment, add a doubt to the launches.</summary>
+    private const double WeightDoubt = 4;
+    private const double WindDoubt = 15;
+
     /// <summary>The minimum number of flights in each part.</summary>
     private const int LeastFlights = 3;
 
-    /// <summary>The factor of gravity at which the flights fit best; 1 if there are too few flights.</summary>
+    /// <summary>The factor of gravity at which the flights fit best; 1 if there is no flight.</summary>
     public double Weight { get; private set; } = 1;
 
     private double WeightDeviation { get; set; } = double.PositiveInfinity;
@@ -41,13 +53,14 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     public bool HasOtherLaw { get; private set; }
 
     /// <summary>True if times or heights have a wrong scale.</summary>
-    public bool IsScaled => Math.Abs(Weight - 1) > Math.Max(LeastWeight, WeightDeviations * WeightDeviation);
+    public bool IsScaled => Math.Abs(Weight - 1) > Math.Max(IsStrange ? LeastStrangeWeight : LeastWeight, WeightDeviations * WeightDeviation)
+        || Math.Abs(Weight - 1) > Math.Max(LargeWeight, LargeWeightDeviations * WeightDeviation);
 
     /// <summary>True if the wind changes within the track.</summary>
     public bool IsTurned => WindOdds > WindDeviations && WindChange > LeastWind;
 
     /// <summary>True if the drag of the fitted ball is not that of the scene's ball.</summary>
-    public bool IsStrange => Strangeness > MostStrangeness;
+    public bool IsStrange => HasOtherLaw || Strangeness > MostStrangeness;
 
     /// <summary>Runs the tests; the flights keep their launches.</summary>
     public void Test(SharedFit fit, FitWatch watch)
@@ -56,17 +69,22 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         HasOtherLaw = law;
         var model = new MatchModel(scene, request, law);
         Strangeness = model.Strangeness(fit.Values, fit.Covariance);
-        if (flights.Count < LeastFlights)
+        if (IsStrange)
+        {
+            fit.DragDoubt = LawDrag;
+            fit.MeasureUncertainty(flights, shares, watch);
+        }
+
+        if (flights.Count == 0)
         {
             return;
         }
 
-        double[][] launches = [.. flights.Select(flight => (double[])flight.Values.Clone())];
-        double[][] covariances = [.. flights.Select(flight => (double[])flight.Covariance.Clone())];
-        TestWeight(fit, law, watch);
-        Restore(fit, launches, covariances);
-        TestWind(fit, law, launches, watch);
-        Restore(fit, launches, covariances);
+        // One evaluation with a factor of gravity: from its equations, linear steps answer every question.
+        var weighed = new SharedFit(equations, new MatchModel(scene, request, law, weight: true), [.. fit.Values, 1]);
+        FlightScore[] scores = weighed.Scores(flights, shares, watch);
+        TestWeight(fit, weighed, scores, watch);
+        TestWind(scores);
     }
 
     /// <summary>
@@ -91,66 +109,94 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         }
     }
 
-    private void Restore(SharedFit fit, double[][] launches, double[][] covariances)
+    private void TestWeight(SharedFit fit, SharedFit weighed, FlightScore[] scores, FitWatch watch)
     {
+        int n = weighed.Values.Length;
+        double[] inverse = new double[n * n];
+        double[] covariance = new double[n * n];
+        double[] step = new double[n];
+        weighed.Solve(scores, 0, scores.Length, inverse, covariance, step);
+        WeightDeviation = Math.Sqrt(Math.Max(0, covariance[^1]));
+        Weight = 1 + step[^1];
+        double squares = flights.Sum(flight => flight.Count * flight.Rms * flight.Rms) / flights.Sum(flight => flight.Count);
+        if (!IsScaled && Math.Sqrt(squares) < (FarShare * equations.Noise) + FarError)
+        {
+            // The doubt that remains: what the launches would change by, as far as the change is more than its deviation.
+            double excess = Math.Max(0, 1 - (WeightDoubt * covariance[^1] / (step[^1] * step[^1])));
+            for (int f = 0; f < flights.Count && excess > 0; f++)
+            {
+                scores[f].AddChange(step, excess, flights[f].Covariance);
+            }
+
+            return;
+        }
+
+        // Far from the solution, the equations are not linear.
+        double[][] launches = [.. flights.Select(flight => (double[])flight.Values.Clone())];
+        weighed.Descend(flights, shares, watch);
+        weighed.Solve(weighed.Scores(flights, shares, watch), 0, flights.Count, inverse, covariance, step);
+        Weight = weighed.Values[^1];
+        WeightDeviation = Math.Sqrt(Math.Max(0, covariance[^1]));
         for (int i = 0; i < flights.Count; i++)
         {
-            flights[i].Values = (double[])launches[i].Clone();
-            flights[i].Covariance = (double[])covariances[i].Clone();
+            flights[i].Values = launches[i];
             equations.Measure(fit.At, flights[i]);
         }
     }
 
-    private void TestWeight(SharedFit fit, bool law, FitWatch watch)
-    {
-        var heavy = new MatchModel(scene, request, law, weight: true);
-        var weighed = new SharedFit(equations, heavy, [.. fit.Values, 1]);
-        weighed.Descend(flights, shares, watch);
-        weighed.MeasureUncertainty(flights, shares, watch);
-        Weight = weighed.Values[^1];
-        WeightDeviation = Math.Sqrt(Math.Max(0, weighed.Covariance[^1]));
-    }
-
-    /// <summary>Compares the winds of the flights before and after the middle, and before and after the longest pause.</summary>
-    private void TestWind(SharedFit fit, bool law, double[][] launches, FitWatch watch)
+    /// <summary>Compares the winds of the flights before and after each moment between two flights.</summary>
+    private void TestWind(FlightScore[] scores)
     {
         if (!request.Wind || flights.Count < 2 * LeastFlights)
         {
             return;
         }
 
-        int middle = flights.Count / 2;
-        double half = 0.5 * (track[flights[0].First].Time + track[flights[^1].End - 1].Time);
-        int byTime = Math.Clamp(flights.FindIndex(flight => track[flight.First].Time >= half), LeastFlights, flights.Count - LeastFlights);
-        int pause = Enumerable.Range(LeastFlights, flights.Count - (2 * LeastFlights) + 1).OrderByDescending(i => track[flights[i].First].Time - track[flights[i - 1].End - 1].Time).First();
-        foreach (int split in new HashSet<int> { middle, byTime, pause })
+        int at = 0;
+        for (int split = LeastFlights; split <= flights.Count - LeastFlights; split++)
         {
-            (Vector3d before, Vector3d beforeVariance) = Wind(fit, law, 0, split, launches, watch);
-            (Vector3d after, Vector3d afterVariance) = Wind(fit, law, split, flights.Count, launches, watch);
-            Vector3d change = after - before;
-            Vector3d variance = beforeVariance + afterVariance;
-            double odds = (change.X * change.X / variance.X) + (change.Z * change.Z / variance.Z);
+            (double x, double z, double xx, double xz, double zz) = Wind(scores, 0, split);
+            (double laterX, double laterZ, double laterXx, double laterXz, double laterZz) = Wind(scores, split, scores.Length);
+            (x, z, xx, xz, zz) = (laterX - x, laterZ - z, laterXx + xx, laterXz + xz, laterZz + zz);
+            double odds = ((x * x * zz) - (2 * x * z * xz) + (z * z * xx)) / ((xx * zz) - (xz * xz));
             if (odds > WindOdds)
             {
-                (WindOdds, WindChange, WindTime) = (odds, change.Length, track[flights[split].First].Time);
+                (WindOdds, WindChange, WindTime) = (odds, Math.Sqrt((x * x) + (z * z)), track[flights[split].First].Time);
+                at = split;
+            }
+        }
+
+        double excess = Math.Max(0, 1 - (WindDoubt / WindOdds));
+        if (excess > 0 && !IsTurned)
+        {
+            (double x, double z, _, _, _) = Wind(scores, 0, at);
+            (double laterX, double laterZ, _, _, _) = Wind(scores, at, scores.Length);
+            for (int f = 0; f < flights.Count; f++)
+            {
+                scores[f].AddChange(f < at ? [x, z] : [laterX, laterZ], excess, flights[f].Covariance);
             }
         }
     }
 
-    private (Vector3d Wind, Vector3d Variance) Wind(SharedFit fit, bool law, int from, int to, double[][] launches, FitWatch watch)
+    /// <summary>Returns the change of the wind in a part of the flights, and its covariance. Only the wind is free: the ball is that of the whole track.</summary>
+    private (double X, double Z, double Xx, double Xz, double Zz) Wind(FlightScore[] scores, int from, int to)
     {
-        List<FlightPath> part = flights.GetRange(from, to - from);
-        double[] some = shares[from..to];
-        for (int i = from; i < to; i++)
+        double known = 1 / (request.WindDeviation * request.WindDeviation);
+        (double a, double b, double d, double x, double z) = (known, 0, known, 0, 0);
+        (double aa, double bb, double dd) = (known, 0, known);
+        for (int f = from; f < to; f++)
         {
-            flights[i].Values = (double[])launches[i].Clone();
+            FlightScore score = scores[f];
+            double share = score.Share;
+            int row = score.Score.Length;
+            (a, b, d) = (a + (share * score.Information[0]), b + (share * score.Information[1]), d + (share * score.Information[row + 1]));
+            (aa, bb, dd) = (aa + (share * share * score.Spread[0]), bb + (share * share * score.Spread[1]), dd + (share * share * score.Spread[row + 1]));
+            (x, z) = (x + (share * score.Score[0]), z + (share * score.Score[1]));
         }
 
-        // Only the wind is free: the ball is that of the whole track.
-        var model = new MatchModel(fit.At.Scene with { Ground = scene.Ground }, request with { Drag = false, Crisis = false, Lift = false });
-        var alone = new SharedFit(equations, model);
-        alone.Descend(part, some, watch);
-        alone.MeasureUncertainty(part, some, watch);
-        return (new Vector3d(alone.Values[0], 0, alone.Values[1]), new Vector3d(alone.Covariance[0], 0, alone.Covariance[^1]));
+        double determinant = (a * d) - (b * b);
+        (double p, double q, double r) = (d / determinant, -b / determinant, a / determinant);
+        return (
+            (p * x) + (q * z), (q * x) + (r * z), (p * p * aa) + (2 * p * q * bb) + (q * q * dd), (p * q * aa) + (((p * r) + (q * q)) * bb) + (q * r * dd), (q * q * aa) + (2 * q * r * bb) + (r * r * dd));
     }
 }

@@ -78,6 +78,9 @@ internal sealed class MatchModel
     /// <summary>The names of the parameters.</summary>
     public string[] Names { get; }
 
+    /// <summary>The index of the factor of the drag; −1 if it is not estimated.</summary>
+    public int DragAt => _dragAt;
+
     /// <summary>The number of parameters.</summary>
     public int Count => Names.Length;
 

@@ -63,7 +63,7 @@ internal sealed class MatchVerdict
     private const double SeenError = 0.05;
 
     /// <summary>The residual beyond the noise, in m, that another law of drag must not leave.</summary>
-    private const double LawError = 0.005;
+    private const double LawError = 0.0075;
 
     /// <summary>The minimum number of flights, and the largest noise in m, for shared parameters; the minimum number of impacts for the surface.</summary>
     private const int LeastFlights = 4;
@@ -73,7 +73,7 @@ internal sealed class MatchVerdict
     /// <summary>The largest standard deviations of a good launch, in m/s, and of a good spin, in rad/s; this share of the flights must have them.</summary>
     private const double MostVelocity = 1;
     private const double MostSpin = 20;
-    private const double GoodShare = 0.25;
+    private const double GoodShare = 0.2;
 
     private const double ShortestFlight = 0.3;
 
@@ -91,13 +91,22 @@ internal sealed class MatchVerdict
             | (fit.Rms > MostRms || fit.Noise > MostNoise ? TrackSuspicions.Units : 0)
             | (doubts.IsScaled ? TrackSuspicions.Scale : 0) | (doubts.IsTurned ? TrackSuspicions.Turned : 0)
             | (doubts.HasOtherLaw && doubts.IsStrange && excess > LawError ? TrackSuspicions.DragLaw : 0)
-            | (fit.Rms > Math.Max(LeastSeen, SeenShare * fit.Noise) + SeenError ? TrackSuspicions.Misfit : 0);
+            | (IsMisfit(fit.Rms, fit.Noise) ? TrackSuspicions.Misfit : 0);
         bool isFree = fit.Flights > 0 && (Suspicions & ~(TrackSuspicions.Lines | TrackSuspicions.Held)) == 0;
         bool many = isFree && fit.Flights >= LeastFlights && fit.Noise <= CoarseNoise;
-        bool launches = isFree && Share(flight => Most(flight.VelocityDeviation) <= MostVelocity) >= GoodShare;
-        bool spins = launches && many && Share(flight => Most(flight.SpinDeviation) <= MostSpin) >= GoodShare;
+        bool launches = isFree && Share(flight => IsGoodLaunch(flight.VelocityDeviation)) >= GoodShare;
+        bool spins = launches && many && Share(flight => IsGoodSpin(flight.SpinDeviation)) >= GoodShare;
         Answers = (launches ? MatchAnswers.Launches : 0) | (spins ? MatchAnswers.Spins | MatchAnswers.WindAndDrag : 0) | (spins && fit.Impacts >= LeastImpacts ? MatchAnswers.Surface : 0);
     }
+
+    /// <summary>True if residuals are too large for a free ball.</summary>
+    public static bool IsMisfit(double rms, double noise) => rms > Math.Max(LeastSeen, SeenShare * noise) + SeenError;
+
+    /// <summary>True if the standard deviations of a velocity allow a good launch.</summary>
+    public static bool IsGoodLaunch(Vector3d deviation) => Most(deviation) <= MostVelocity;
+
+    /// <summary>True if the standard deviations of a spin allow a good spin.</summary>
+    public static bool IsGoodSpin(Vector3d deviation) => Most(deviation) <= MostSpin;
 
     public MatchAnswers Answers { get; }
 

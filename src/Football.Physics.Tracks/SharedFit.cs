@@ -22,24 +22,19 @@ internal sealed class SharedFit
     /// <summary>The ratio to the median residual above which a flight has less weight in the shared parameters.</summary>
     private const double Strange = 2.5;
 
-    /// <summary>The minimum error of the laws as a share of a point's variance, even if a flight happens to fit better: wind and drag are known no better.</summary>
-    private const double LeastScatter = 0.4;
-
-    /// <summary>The share of a systematic misfit that acts alike at all points of a flight.</summary>
-    private const double CommonShare = 0.3;
-
     /// <summary>The misfit per coordinate, in m, from which heights near the ground are as wrong as on any pitch. Without a misfit, they are right.</summary>
     private const double LowMisfit = 0.008;
 
-    /// <summary>The standard deviations beyond which the likeness of successive residuals is a misfit.</summary>
-    private const double LikenessDeviations = 2;
+    /// <summary>The half widths of differences by the spin, in rad/s: limits, and as a multiple of its deviation.</summary>
+    private const double LeastSecant = 1;
+    private const double WidestSecant = 30;
+    private const double SecantDeviations = 2;
 
     private readonly FlightEquations _system;
     private readonly MatchModel _model;
     private readonly int _shared;
     private readonly int _size;
     private readonly LaunchElimination _elimination;
-    private readonly double[] _scratch = new double[Launch * Launch];
 
     public SharedFit(FlightEquations system, MatchModel model, double[]? start = null)
     {
@@ -57,6 +52,9 @@ internal sealed class SharedFit
 
         At = new Simulator(model.Scene(Values));
     }
+
+    /// <summary>The standard deviation of the drag of a single flight, as a share of it, if the laws of the ball are in doubt; it counts in the deviations only. Default 0.</summary>
+    public double DragDoubt { get; set; }
 
     /// <summary>The shared parameters.</summary>
     public double[] Values { get; }
@@ -153,77 +151,146 @@ internal sealed class SharedFit
         return shares;
     }
 
-    /// <summary>Estimates the covariances of launches and shared parameters, from the scatter of each flight's residuals and their
-    /// autocorrelation.</summary>
+    /// <summary>Estimates the covariances of launches and shared parameters, from the scatter of each flight's residuals and their likeness.</summary>
     public void MeasureUncertainty(IReadOnlyList<FlightPath> flights, double[] shares, FitWatch watch)
     {
-        var normals = new double[flights.Count][];
-        var gradients = new double[flights.Count][];
-        double[] reduced = new double[flights.Count];
-        for (int i = 0; i < flights.Count; i++)
-        {
-            normals[i] = new double[_size * _size];
-            gradients[i] = new double[_size];
-            reduced[i] = shares[i] / Math.Max(LeastScatter, Inflation(flights[i]));
-        }
-
-        _system.KeepsScatter = true;
-        Evaluate(flights, shares, normals, gradients, watch);
-        _system.KeepsScatter = false;
-        double[] s = new double[_shared * _shared];
-        double[] unused = new double[_shared];
-        AddKnown(s, unused);
-        var couplings = new double[flights.Count][];
-        var off = new double[flights.Count][];
-        for (int i = 0; i < flights.Count; i++)
-        {
-            _elimination.Invert(normals[i], flights[i].Covariance);
-            off[i] = Times(flights[i].Covariance, flights[i].LowHeights);
-            Variance(flights[i], out double misfit);
-            double low = Math.Min(1, Math.Sqrt(misfit) / LowMisfit);
-            for (int k = 0; k < Launch; k++)
-            {
-                off[i][k] *= low;
-            }
-            couplings[i] = _elimination.Couple(normals[i], flights[i].Covariance);
-            _elimination.Eliminate(normals[i], gradients[i], couplings[i], reduced[i], s, unused);
-        }
-
-        Linear.Invert(s, Covariance, _shared);
+        // The sandwich S⁻¹ (Σ w² T V Tᵀ + P) S⁻¹ of the scores and the prior P; then that of each launch.
+        FlightScore[] scores = Scores(flights, shares, watch, wide: true);
+        double[] inverse = new double[_shared * _shared];
+        Solve(scores, 0, scores.Length, inverse, Covariance, new double[_shared]);
         for (int f = 0; f < flights.Count; f++)
         {
-            // Sum of three terms: the sandwich A⁻¹ (v JᵀW²J + P) A⁻¹ by the variance v of the residuals and the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared
-            // parameters; and d dᵀ with d = A⁻¹JᵀWb by the common height error b near the ground.
-            double[] covariance = flights[f].Covariance;
-            double[] sandwich = Sandwich(covariance, flights[f].Scatter, Variance(flights[f], out _));
-            Vector3d known = _system.PerSpin(flights[f]);
-            for (int i = 0; i < Launch; i++)
+            scores[f].Launches(inverse, Covariance, flights[f].Covariance);
+        }
+    }
+
+    /// <summary>Returns the equations of each flight at the present values, without its launch.</summary>
+    /// <param name="flights">The flights.</param>
+    /// <param name="shares">The weight of each flight in the shared parameters.</param>
+    /// <param name="watch">Cancels the computation.</param>
+    /// <param name="wide">True for derivatives by the spin as wide as its deviation: drag by spin has a kink at 0, which tells nothing of a spin far from it.</param>
+    public FlightScore[] Scores(IReadOnlyList<FlightPath> flights, double[] shares, FitWatch watch, bool wide = false)
+    {
+        Simulator[] shared = Changed(out double[] differences);
+        double[] normal = new double[_size * _size];
+        double[] gradient = new double[_size];
+        var scores = new FlightScore[flights.Count];
+        for (int f = 0; f < scores.Length; f++)
+        {
+            watch.Check();
+            double[] spread = new double[_size * _size];
+            double[] low = new double[_size];
+            _system.Normal(At, shared, differences, flights[f], normal, gradient, spread, low, wide ? Secants(flights[f]) : null);
+            double variance = Variance(flights[f], out double misfit);
+            double trusted = Math.Min(1, Math.Sqrt(misfit) / LowMisfit);
+            for (int i = 0; i < spread.Length; i++)
             {
-                for (int j = 0; j < Launch; j++)
-                {
-                    double sum = sandwich[(i * Launch) + j] + (off[f][i] * off[f][j]);
-                    for (int k = 0; k < 3; k++)
-                    {
-                        sum += covariance[(i * Launch) + 6 + k] * known.Along(k) * covariance[((6 + k) * Launch) + j];
-                    }
-
-                    for (int k = 0; k < _shared * _shared; k++)
-                    {
-                        sum += couplings[f][(i * _shared) + (k / _shared)] * Covariance[k] * couplings[f][(j * _shared) + (k % _shared)];
-                    }
-
-                    _scratch[(i * Launch) + j] = sum;
-                }
+                spread[i] = (variance * spread[i]) + (trusted * trusted * low[i / _size] * low[i % _size]);
             }
 
-            Array.Copy(_scratch, covariance, covariance.Length);
+            Vector3d known = _system.PerSpin(flights[f]);
+            for (int k = 0; k < 3; k++)
+            {
+                spread[((6 + k) * _size) + 6 + k] += known.Along(k);
+            }
+
+            AddDragDoubt(normal, spread);
+            scores[f] = new FlightScore(_shared, normal, gradient, spread, shares[f]);
+        }
+
+        return scores;
+    }
+
+    /// <summary>Returns half the widths of the differences by the spin: several deviations, as far as these are known.</summary>
+    private static Vector3d Secants(FlightPath flight)
+    {
+        double Width(int axis) => Math.Min(WidestSecant, Math.Max(LeastSecant, SecantDeviations * Math.Sqrt(Math.Max(0, flight.Covariance[(axis * Launch) + axis]))));
+        return new Vector3d(Width(6), Width(7), Width(8));
+    }
+
+    /// <summary>Adds the covariance of the gradient for a drag of the flight that differs from the common one.</summary>
+    private void AddDragDoubt(double[] normal, double[] spread)
+    {
+        if (DragDoubt == 0 || _model.DragAt < 0)
+        {
+            return;
+        }
+
+        int drag = Launch + _model.DragAt;
+        double deviation = DragDoubt * Values[_model.DragAt];
+        for (int i = 0; i < spread.Length; i++)
+        {
+            spread[i] += deviation * deviation * normal[(i / _size * _size) + drag] * normal[(i % _size * _size) + drag];
+        }
+    }
+
+    /// <summary>Solves the equations of a range of flights for the shared parameters.</summary>
+    /// <param name="scores">The equations.</param>
+    /// <param name="from">The first flight.</param>
+    /// <param name="to">The flight after the last.</param>
+    /// <param name="inverse">Receives the inverse information.</param>
+    /// <param name="covariance">Receives the covariance.</param>
+    /// <param name="step">Receives the change of the parameters.</param>
+    public void Solve(FlightScore[] scores, int from, int to, double[] inverse, double[] covariance, double[] step)
+    {
+        double[] information = new double[_shared * _shared];
+        double[] right = new double[_shared];
+        AddKnown(information, right);
+        double[] spread = new double[_shared * _shared];
+        for (int i = 0; i < _shared; i++)
+        {
+            spread[(i * _shared) + i] = information[(i * _shared) + i];
+        }
+
+        for (int f = from; f < to; f++)
+        {
+            double share = scores[f].Share;
+            for (int i = 0; i < spread.Length; i++)
+            {
+                information[i] += share * scores[f].Information[i];
+                spread[i] += share * share * scores[f].Spread[i];
+            }
+
+            for (int i = 0; i < _shared; i++)
+            {
+                right[i] += share * scores[f].Score[i];
+            }
+        }
+
+        Linear.Invert(information, inverse, _shared);
+        if (_shared > 0)
+        {
+            FlightScore.Times(FlightScore.Times(inverse, spread, _shared, _shared), inverse, _shared, _shared).CopyTo(covariance, 0);
+        }
+
+        for (int i = 0; i < _shared; i++)
+        {
+            step[i] = 0;
+            for (int j = 0; j < _shared; j++)
+            {
+                step[i] += inverse[(i * _shared) + j] * right[j];
+            }
         }
     }
 
     private double Evaluate(IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, FitWatch watch)
     {
+        Simulator[] shared = Changed(out double[] differences);
+        double cost = KnownCost(Values);
+        for (int i = 0; i < flights.Count; i++)
+        {
+            watch.Check();
+            cost += shares[i] * _system.Normal(At, shared, differences, flights[i], normals[i], gradients[i]);
+        }
+
+        return cost;
+    }
+
+    /// <summary>Returns the scenes with each shared parameter changed.</summary>
+    private Simulator[] Changed(out double[] differences)
+    {
         var shared = new Simulator[_shared];
-        double[] differences = new double[_shared];
+        differences = new double[_shared];
         double[] values = new double[_shared];
         for (int j = 0; j < _shared; j++)
         {
@@ -233,14 +300,7 @@ internal sealed class SharedFit
             shared[j] = new Simulator(_model.Scene(values));
         }
 
-        double cost = KnownCost(Values);
-        for (int i = 0; i < flights.Count; i++)
-        {
-            watch.Check();
-            cost += shares[i] * _system.Normal(At, shared, differences, flights[i], normals[i], gradients[i]);
-        }
-
-        return cost;
+        return shared;
     }
 
     /// <summary>Computes a damped step.</summary>
@@ -356,60 +416,13 @@ internal sealed class SharedFit
     /// <param name="misfit">The variance of a misfit of the laws, per coordinate, in m².</param>
     private double Variance(FlightPath flight, out double misfit)
     {
-        Vector3d[] misses = _system.Misses(At, flight);
-        double squares = 0;
-        double products = 0;
+        Vector3d[] off = _system.Misses(At, flight);
+        double[] misses = new double[3 * off.Length];
         for (int i = 0; i < misses.Length; i++)
         {
-            squares += misses[i].LengthSquared;
-            products += i > 0 ? Vector3d.Dot(in misses[i], in misses[i - 1]) : 0;
+            misses[i] = off[i / 3].Along(i % 3);
         }
 
-        // White noise has no likeness from one point to the next. A misfit of the laws has, and acts alike at many points, so that more points do not reduce it.
-        double freedom = Math.Max(3, (3 * misses.Length) - Launch);
-        double usual = squares / (3 * misses.Length);
-        misfit = Math.Max(0, (products / (3 * misses.Length)) - (LikenessDeviations * usual / Math.Sqrt(3 * misses.Length)));
-        return Math.Max(_system.Noise * _system.Noise, squares / freedom) + (CommonShare * misses.Length * misfit);
-    }
-
-    /// <summary>Returns v A⁻¹ M A⁻¹.</summary>
-    private static double[] Sandwich(double[] inverse, double[] scatter, double variance)
-    {
-        double[] left = new double[Launch * Launch];
-        double[] product = new double[Launch * Launch];
-        for (int i = 0; i < Launch; i++)
-        {
-            for (int j = 0; j < Launch; j++)
-            {
-                for (int k = 0; k < Launch; k++)
-                {
-                    left[(i * Launch) + j] += inverse[(i * Launch) + k] * scatter[(k * Launch) + j];
-                }
-            }
-        }
-
-        for (int i = 0; i < Launch; i++)
-        {
-            for (int j = 0; j < Launch; j++)
-            {
-                for (int k = 0; k < Launch; k++)
-                {
-                    product[(i * Launch) + j] += variance * left[(i * Launch) + k] * inverse[(k * Launch) + j];
-                }
-            }
-        }
-
-        return product;
-    }
-
-    private static double[] Times(double[] matrix, double[] vector)
-    {
-        double[] product = new double[vector.Length];
-        for (int i = 0; i < matrix.Length; i++)
-        {
-            product[i / vector.Length] += matrix[i] * vector[i % vector.Length];
-        }
-
-        return product;
+        return ResidualVariance.Of(misses, 3, Launch, _system.Noise * _system.Noise, out misfit);
     }
 }

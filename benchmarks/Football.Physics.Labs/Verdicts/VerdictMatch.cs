@@ -41,6 +41,9 @@ internal sealed class VerdictMatch
 
     private VerdictMatch(SeededRandom random) => _random = random;
 
+    /// <summary>The wind, in m/s.</summary>
+    public Vector3d Wind => new(_windX, 0, _windZ);
+
     /// <summary>The fault.</summary>
     public TrackFault Fault { get; private init; }
 
@@ -73,8 +76,8 @@ internal sealed class VerdictMatch
     }
 
     /// <summary>
-    /// Returns the errors of a flight's velocity and spin. The true laws continue the flight to a moment in its midst, where it is compared with the truth; null if
-    /// the track does not reach so far.
+    /// Returns the errors of a flight's velocity and spin at its start, in the clock and the frame of the track. The truth a tenth of a second later, which is
+    /// surely in the same flight, is traced back by the true laws; null if the track does not reach so far.
     /// </summary>
     public double[]? Errors(MatchPiece flight)
     {
@@ -89,12 +92,13 @@ internal sealed class VerdictMatch
         Vector3d v = flight.Velocity * Clock;
         double[] state = [0, 100, 0, turn * v.X, v.Y / HeightFactor, turn * v.Z, turn * flight.Spin.X * Clock, flight.Spin.Y * Clock, turn * flight.Spin.Z * Clock];
         double late = ((double)at / Rate) - from;
+        double[] truth = (double[])_states[at].Clone();
+        truth[1] = 100;
         for (int i = 0; i < 20; i++)
         {
-            state = Advance(state, late / 20);
+            truth = Fly(truth, -late / 20);
         }
 
-        double[] truth = _states[at];
         double[] off = new double[6];
         for (int k = 0; k < 6; k++)
         {
