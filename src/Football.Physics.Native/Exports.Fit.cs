@@ -227,6 +227,8 @@ internal static unsafe partial class Exports
         to->DegreesOfFreedom = from.DegreesOfFreedom;
         to->Iterations = from.Iterations;
         to->Verdict = (int)from.Verdict;
+        to->GoodFor = (int)from.GoodFor;
+        to->Suspicions = (int)from.Suspicions;
         to->Converged = from.Converged ? 1 : 0;
     }
 

@@ -56,4 +56,10 @@ internal unsafe struct NativeFitResult
 
     /// <summary>1 if there is another spin; otherwise 0.</summary>
     public int HasOtherSpin;
+
+    /// <summary>The answers that are reliable to within their standard errors: the sum of values of fp_match_answers.</summary>
+    public int GoodFor;
+
+    /// <summary>The suspected faults of the track: the sum of values of fp_track_suspicions.</summary>
+    public int Suspicions;
 }

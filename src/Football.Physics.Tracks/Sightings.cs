@@ -21,6 +21,9 @@ internal abstract class Sightings
     /// <summary>Returns the time of an observation, in s.</summary>
     public abstract double Time(int index);
 
+    /// <summary>The root mean square of the stated noise of a point's coordinates, in m; NaN for pixels.</summary>
+    public virtual double Noise => double.NaN;
+
     /// <summary>Computes the residuals of an observation, in standard deviations.</summary>
     /// <returns>Their sum of squares.</returns>
     public abstract double Miss(int index, in Vector3d position, double[] misses);
@@ -85,6 +88,8 @@ internal sealed class PositionSightings : Sightings
     public override bool IsOneView => false;
 
     public override double Time(int index) => _track[index].Time;
+
+    public override double Noise => Math.Sqrt(_track.Average(point => point.Noise * point.Noise));
 
     public override double Miss(int index, in Vector3d position, double[] misses)
     {

@@ -125,6 +125,7 @@ public sealed class TrackFit
             converged = best.Measure(values);
         }
 
+        double growth = converged ? Grow(seen, best, values) : 1;
         bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
         if (isAmbiguous)
         {
@@ -135,6 +136,7 @@ public sealed class TrackFit
         var result = new TrackFitResult(
             best.Model, values, best.Covariance, seen, best.ChiSquared(values), steps + best.Steps, converged)
         {
+            Growth = growth,
             OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
             ByBall = WithOtherBalls(seen, request, best.Cost, watch),
             PathDepthError = seen.FirstCamera is null ? null : PathDepth.Error(seen, request, best.Model, values, best.Covariance),
@@ -142,6 +144,30 @@ public sealed class TrackFit
         RefuseBehind(seen, request, result, watch);
         watch.Finish();
         return result;
+    }
+
+    /// <summary>Lets the covariance grow with a misfit that noise does not explain, by the rule of match fits.</summary>
+    /// <returns>The factor of the deviations from the observations; 1 without a misfit.</returns>
+    private static double Grow(Sightings seen, TrackSearch best, double[] values)
+    {
+        double variance = ResidualVariance.Of(best.Misses(values), seen.Rows / seen.Count, best.Model.Count, 1, out _);
+        if (!(variance > 1) || !TrackFitResult.IsRare(best.ChiSquared(values), seen.Rows - best.Model.Count))
+        {
+            return 1;
+        }
+
+        // The observations have less weight, the prior P keeps its own: C' = (C⁻¹/v + (1 − 1/v) P)⁻¹.
+        int n = best.Model.Count;
+        double[] information = new double[n * n];
+        Linear.Invert(best.Covariance, information, n);
+        for (int i = 0; i < information.Length; i++)
+        {
+            double known = best.Model.KnownDeviation(i % n);
+            information[i] = (information[i] / variance) + (i / n == i % n ? (1 - (1 / variance)) / (known * known) : 0);
+        }
+
+        Linear.Invert(information, best.Covariance, n);
+        return Math.Sqrt(variance);
     }
 
     /// <summary>Measures the uncertainty of the depth.</summary>

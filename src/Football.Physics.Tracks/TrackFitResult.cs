@@ -21,11 +21,15 @@ public sealed class TrackFitResult
     private const double LikelierBy = 4;
     private const double AsGood = 9;
 
+    /// <summary>The growth of the deviations of pixels above which no law of a free ball describes them.</summary>
+    private const double MostGrowth = 10;
+
     private readonly double[] _values;
     private readonly double[] _covariance;
 
     private readonly TrackModel _model;
     private readonly TrackCamera? _camera;
+    private readonly double _noise;
 
     internal TrackFitResult(TrackModel model, double[] values, double[] covariance, Sightings seen, double chiSquared, int iterations, bool converged)
     {
@@ -36,6 +40,8 @@ public sealed class TrackFitResult
         Time = seen.Time(0);
         ChiSquared = chiSquared;
         DegreesOfFreedom = seen.Rows - model.Count;
+        _noise = seen.Noise;
+        Rms = Math.Sqrt(chiSquared / seen.Count) * _noise;
         Iterations = iterations;
         Converged = converged;
     }
@@ -85,6 +91,42 @@ public sealed class TrackFitResult
 
     internal bool IsPoor => Probability < Rare;
 
+    /// <summary>True if noise gives a χ² as large as this one less than once in a thousand tracks.</summary>
+    internal static bool IsRare(double chiSquared, int freedom) => ProbabilityOf(chiSquared, freedom) < Rare;
+
+    /// <summary>The factor by which a misfit has increased the deviations that follow from the observations; 1 without a misfit.</summary>
+    internal double Growth { get; init; } = 1;
+
+    /// <summary>The answers that are reliable to within their standard errors, by the rule of <see cref="MatchFitResult.GoodFor"/>.</summary>
+    /// <remarks>
+    /// The launch needs a standard error of at most 1 m/s in each component of the velocity, and its spin of at most 20 rad/s in each component, including the
+    /// uncertainty of the ball (<see cref="DeviationOverBalls"/>). Fitted factors of drag are reliable if <see cref="IsIdentified"/> is true, and so are those of
+    /// the surface. Nothing is reliable if the fit did not converge, or if <see cref="Suspicions"/> names a fault.
+    /// </remarks>
+    public MatchAnswers GoodFor
+    {
+        get
+        {
+            if (!Converged || Suspicions != TrackSuspicions.None || !MatchVerdict.IsGoodLaunch(Deviations(3)) || IsLost(DepthError))
+            {
+                return MatchAnswers.None;
+            }
+
+            return MatchAnswers.Launches | (MatchVerdict.IsGoodSpin(Deviations(TrackModel.FirstSpin)) ? MatchAnswers.Spins : 0)
+                | (IsFitted("drag") ? MatchAnswers.WindAndDrag : 0) | (IsFitted("restitution") || IsFitted("friction") ? MatchAnswers.Surface : 0);
+        }
+    }
+
+    /// <summary>The suspected faults of the track: <see cref="TrackSuspicions.Misfit"/> or none. One flight does not reveal the others.</summary>
+    /// <remarks>
+    /// Deviations grow with a misfit, by the rule of match fits. Above it, no law of a free ball describes the track: the residuals exceed the greater of 2 cm and
+    /// three times the noise by 5 cm; of pixels, the deviations have grown to more than ten times those of the noise.
+    /// </remarks>
+    public TrackSuspicions Suspicions => Growth > 1 && (_camera is null ? MatchVerdict.IsMisfit(Rms, _noise) : Growth > MostGrowth) ? TrackSuspicions.Misfit : TrackSuspicions.None;
+
+    /// <summary>The root mean square distance of the points from the fitted path, in m; NaN for pixels.</summary>
+    internal double Rms { get; }
+
     /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged
@@ -107,7 +149,7 @@ public sealed class TrackFitResult
             return Verdict switch
             {
                 TrackVerdict.NotConverged => $"{chi}; the search did not end: neither numbers nor deviations are to be relied on.",
-                TrackVerdict.Poor => $"{chi}, which noise alone gives less than once in a thousand: the scene (ball, air, wind, ground) or the noise is not what was said. Deviations are those of noise alone; the truth may be many of them away.",
+                TrackVerdict.Poor => FormattableString.Invariant($"{chi}, which noise alone gives less than once in a thousand: the scene (ball, air, wind, ground) or the noise is not what was said. Deviations have grown with the misfit, by a factor of {Growth:0.0}."),
                 TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce or, from one viewpoint, another curl. More points, another camera or a known spin tell them apart."),
                 TrackVerdict.OtherBall => $"{chi}, but another ball fits better: deviations are too small; DeviationOverBalls has what the balls differ by.",
                 TrackVerdict.NoiseOverestimated => $"{chi}, less than the noise that was said would leave: deviations are too large.",
@@ -230,6 +272,14 @@ public sealed class TrackFitResult
         return _covariance[(row * _values.Length) + column];
     }
 
+    private Vector3d Deviations(int first) => new(DeviationOverBalls(first), DeviationOverBalls(first + 1), DeviationOverBalls(first + 2));
+
+    private bool IsFitted(string name)
+    {
+        int index = Array.IndexOf([.. Names], name);
+        return index >= 0 && IsIdentified(index);
+    }
+
     /// <summary>True for pixels that do not reveal a distance from the camera.</summary>
     private bool IsLost(double? error) => error is { } depth && !(Converged && depth < MostPlaceError);
 
@@ -252,11 +302,13 @@ public sealed class TrackFitResult
         return double.IsNaN(sum) ? double.PositiveInfinity : Math.Sqrt(Math.Max(0, sum));
     }
 
-    private double ProbabilityOf(double chiSquared)
+    private double ProbabilityOf(double chiSquared) => ProbabilityOf(chiSquared, DegreesOfFreedom);
+
+    private static double ProbabilityOf(double chiSquared, int freedom)
     {
         // (χ²/f)^⅓ is approximately normal, with mean 1 − 2/(9f) and variance 2/(9f).
-        double width = 2.0 / (9.0 * Math.Max(1, DegreesOfFreedom));
-        double share = Math.Max(1e-300, chiSquared / Math.Max(1, DegreesOfFreedom));
+        double width = 2.0 / (9.0 * Math.Max(1, freedom));
+        double share = Math.Max(1e-300, chiSquared / Math.Max(1, freedom));
         return 1.0 - NormalDistribution.Integral((Elementary.Pow(share, 1.0 / 3.0) - (1.0 - width)) / Math.Sqrt(width));
     }
 

@@ -78,6 +78,14 @@ internal sealed class TrackSearch
     /// <summary>Returns the χ² of the observations, without the prior.</summary>
     public double ChiSquared(double[] values) => Cost - Model.KnownCost(values);
 
+    /// <summary>Returns the residuals of the observations, in standard deviations.</summary>
+    public double[] Misses(double[] values)
+    {
+        double[] misses = new double[_paths.Rows];
+        _paths.Follow(values, misses);
+        return misses;
+    }
+
     /// <summary>Measures the uncertainty of the parameters; restarts the search if it finds a lower cost.</summary>
     /// <returns>True if neither a step nor the measurement finds a lower cost.</returns>
     public bool Measure(double[] values)

@@ -140,6 +140,7 @@ public sealed unsafe class InterceptionTests
         Assert.True(Fit(scene, track, """{"also": ["lift", "restitution"], "spinDeviation": 50}""", &found) == NativeStatus.Ok, Error());
         Assert.Equal((expected.Time, expected.Position, expected.Velocity, expected.Spin), (found.Time, At(found.Position), At(found.Velocity), At(found.Spin)));
         Assert.Equal((expected.ChiSquared, expected.Probability, expected.DegreesOfFreedom, (int)expected.Verdict), (found.ChiSquared, found.Probability, found.DegreesOfFreedom, found.Verdict));
+        Assert.Equal(((int)expected.GoodFor, (int)expected.Suspicions), (found.GoodFor, found.Suspicions));
         Assert.Equal((1, expected.Value(9), expected.Value(10), 1), (found.Factors[0], found.Factors[1], found.Factors[2], found.Factors[3]));
         Assert.Equal((0, expected.StandardError(9), expected.StandardError(10), 0), (found.FactorDeviations[0], found.FactorDeviations[1], found.FactorDeviations[2], found.FactorDeviations[3]));
         Assert.Equal((expected.StandardError(2), expected.StandardError(3), expected.StandardError(7)), (found.PositionDeviation[2], found.VelocityDeviation[0], found.SpinDeviation[1]));

@@ -99,6 +99,8 @@ class Fits(unittest.TestCase):
                 self.assertLess(np.abs(off).max(), 4, name)
             self.assertLess(found.velocity_deviation.max(), 0.1)
             self.assertTrue(found.spin_identified[1])
+            self.assertIn(fp.MatchAnswers.LAUNCHES, found.good_for)
+            self.assertEqual(fp.TrackSuspicions.NONE, found.suspicions)
             self.assertEqual((3 * len(rows) - 9, {}), (found.degrees_of_freedom, found.factors))
             # The mean of chi squared is the degrees of freedom, its variance twice that.
             self.assertLess(abs(found.chi_squared - found.degrees_of_freedom), 4 * np.sqrt(2 * found.degrees_of_freedom))

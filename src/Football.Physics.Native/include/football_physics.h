@@ -467,6 +467,10 @@ typedef struct {
     int32_t identified;
     /** 1 if there is another spin; otherwise 0. */
     int32_t has_other_spin;
+    /** The answers that are reliable to within their standard errors: the sum of values of fp_match_answers. */
+    int32_t good_for;
+    /** The suspected faults of the track: the sum of values of fp_track_suspicions. */
+    int32_t suspicions;
 } fp_fit_result;
 
 /** A piece of a match track. The axes are those of the library: y is up. */

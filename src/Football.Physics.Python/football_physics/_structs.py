@@ -50,7 +50,7 @@ GOAL_CHANCE = _struct(
 FIT = _struct(
     *_numbers("time"), *_vectors("position", "velocity", "spin"), ("factors", "f8", 4), *_vectors("position_deviation", "velocity_deviation", "spin_deviation"),
     ("factor_deviations", "f8", 4), *_vectors("other_spin"), *_numbers("chi_squared", "probability"),
-    *_integers("degrees_of_freedom", "iterations", "verdict", "converged", "identified", "has_other_spin"))
+    *_integers("degrees_of_freedom", "iterations", "verdict", "converged", "identified", "has_other_spin", "good_for", "suspicions"))
 PIECE = _struct(
     *_integers("kind", "points"), *_numbers("start_time", "end_time", "rms", "maximum_residual"),
     *_vectors("position", "velocity", "spin", "velocity_before", "spin_before", "velocity_deviation", "spin_deviation"),

@@ -34,7 +34,7 @@ class FitVerdict(enum.IntEnum):
 
 
 class MatchAnswers(enum.IntFlag):
-    """The answers of a match fit that are reliable to within their deviations."""
+    """The answers of a fit that are reliable to within their deviations."""
 
     NONE = 0
     LAUNCHES = 1
@@ -44,7 +44,7 @@ class MatchAnswers(enum.IntFlag):
 
 
 class TrackSuspicions(enum.IntFlag):
-    """Faults of a track that a match fit suspects, or has removed (LINES, HELD)."""
+    """Faults of a track that a fit suspects, or has removed (LINES, HELD)."""
 
     NONE = 0
     UNITS = 1
@@ -92,6 +92,9 @@ class Fit:
     iterations: int
     verdict: FitVerdict
     converged: bool
+    #: The answers that are reliable to within their deviations, and the suspected faults of the track, by the rule of :class:`MatchFit`.
+    good_for: MatchAnswers
+    suspicions: TrackSuspicions
     #: True for each component of the spin that the track determines better than the prior.
     spin_identified: Tuple[bool, bool, bool]
 
@@ -153,6 +156,7 @@ def fit(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, progress: _
         other_spin=row["other_spin"].copy() if row["has_other_spin"] else None,
         chi_squared=float(row["chi_squared"]), probability=float(row["probability"]), degrees_of_freedom=int(row["degrees_of_freedom"]), iterations=int(row["iterations"]),
         verdict=FitVerdict(int(row["verdict"])), converged=bool(row["converged"]),
+        good_for=MatchAnswers(int(row["good_for"])), suspicions=TrackSuspicions(int(row["suspicions"])),
         spin_identified=(bool(identified & 64), bool(identified & 128), bool(identified & 256)))
 
 

@@ -26,5 +26,6 @@ internal static class FitTable
         }
 
         terminal.Person.WriteLine(fit.Explanation);
+        terminal.Person.WriteLine($"Good for: {FitWriter.GoodFor(fit)}.");
     }
 }

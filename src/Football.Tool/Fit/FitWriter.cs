@@ -50,9 +50,20 @@ internal static class FitWriter
         writer.WriteNumber("probability", fit.Probability);
         writer.WriteString("verdict", fit.Verdict == TrackVerdict.NoiseOverestimated ? "tooWell" : Words.Of(fit.Verdict));
         writer.WriteString("explanation", fit.Explanation);
+        writer.WriteString("goodFor", GoodFor(fit));
+        MatchWriter.WriteSuspicions(writer, fit.Suspicions);
         if (fit.OtherSpin is { } other)
         {
             ResultWriter.WriteVector(writer, "otherSpin", other);
         }
     });
+
+    /// <summary>Returns the reliable answers of a fit in words.</summary>
+    public static string GoodFor(TrackFitResult fit)
+    {
+        (MatchAnswers Answer, string Word)[] words =
+            [(MatchAnswers.Launches, "launch"), (MatchAnswers.Spins, "spin"), (MatchAnswers.WindAndDrag, "drag"), (MatchAnswers.Surface, "surface")];
+        string[] good = [.. words.Where(word => fit.GoodFor.HasFlag(word.Answer)).Select(word => word.Word)];
+        return good.Length > 0 ? string.Join(", ", good) : "nothing";
+    }
 }

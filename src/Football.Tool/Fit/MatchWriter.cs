@@ -92,14 +92,20 @@ internal static class MatchWriter
         WriteRolling(json, fit);
         WriteRobotSoccer(json, fit);
         json.WriteString("goodFor", fit.Explanation);
+        WriteSuspicions(json, fit.Suspicions);
+    });
+
+    /// <summary>Writes the suspected faults of a track as a list.</summary>
+    public static void WriteSuspicions(Utf8JsonWriter json, TrackSuspicions suspicions)
+    {
         json.WriteStartArray("suspicions");
-        foreach (TrackSuspicions fault in Enum.GetValues<TrackSuspicions>().Where(fault => fault != 0 && fit.Suspicions.HasFlag(fault)))
+        foreach (TrackSuspicions fault in Enum.GetValues<TrackSuspicions>().Where(fault => fault != 0 && suspicions.HasFlag(fault)))
         {
             json.WriteStringValue(JsonNamingPolicy.CamelCase.ConvertName(fault.ToString()));
         }
 
         json.WriteEndArray();
-    });
+    }
 
     private static void WriteWindows(Utf8JsonWriter json, MatchPiece piece, MatchFitResult fit)
     {

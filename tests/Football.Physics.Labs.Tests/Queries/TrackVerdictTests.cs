@@ -32,6 +32,16 @@ public sealed class TrackVerdictTests
             Assert.Equal(TrackVerdict.Poor, poor.Verdict);
             Assert.InRange(poor.Probability, 0, 1e-3);
             Assert.Contains("once in a thousand", poor.Explanation, StringComparison.Ordinal);
+
+            // Deviations follow the residuals, not the noise that was said.
+            TrackFitResult right = new TrackFit().Find(track);
+            for (int k = 3; k < 6; k++)
+            {
+                Assert.InRange(poor.StandardError(k) / right.StandardError(k), 0.6, 1.5);
+            }
+
+            Assert.Equal(TrackSuspicions.None, poor.Suspicions);
+            Assert.True(poor.GoodFor.HasFlag(MatchAnswers.Launches));
             TrackFitResult well = new TrackFit().Find(Said(track, 2 * Noise));
             Assert.Equal(TrackVerdict.NoiseOverestimated, well.Verdict);
             Assert.Contains("too large", well.Explanation, StringComparison.Ordinal);
@@ -122,6 +132,27 @@ public sealed class TrackVerdictTests
         Assert.True(worst > 4.5, $"{worst}: none of the wrong balls matters");
         Assert.InRange(worstOver, 0, 4.5);
         Assert.InRange(said, Tracks / 2, Tracks);
+    }
+
+    /// <summary>The rule of match fits: what no free ball does is good for nothing, and a spin needs all its components.</summary>
+    [Fact]
+    public void A_track_of_no_free_ball_is_good_for_nothing()
+    {
+        TrackPoint[] track = Seen(Scene.Default, 3, bounces: false, Noise, out _, out _);
+        TrackPoint[] slow = [.. track.Select(point => new TrackPoint(3 * point.Time, point.Position, Noise))];
+        TrackFitResult found = new TrackFit().Find(slow);
+        Assert.Equal((MatchAnswers.None, TrackSuspicions.Misfit), (found.GoodFor, found.Suspicions));
+        var seen = new HashSet<MatchAnswers>();
+        foreach (int points in (int[])[6, 10, 16, 24, 35])
+        {
+            found = new TrackFit().Find(track[..points]);
+            bool launch = found.Converged && Enumerable.Range(3, 3).All(k => found.StandardError(k) <= 1);
+            bool spin = launch && Enumerable.Range(6, 3).All(k => found.StandardError(k) <= 20);
+            Assert.Equal((launch ? MatchAnswers.Launches : 0) | (spin ? MatchAnswers.Spins : 0), found.GoodFor);
+            seen.Add(found.GoodFor);
+        }
+
+        Assert.True(seen.Count > 1, "all lengths are good for the same");
     }
 
     private static double Deviations(TrackFitResult found, in Vector3d spin, in Vector3d truth)
