@@ -47,7 +47,7 @@ public sealed class ClosedOutputTests
     [InlineData("football sweep - <&- 2>&1; echo $?", 2, "football: the input is empty; allowed: a JSON object.\n1\n")]
     [InlineData("echo '" + Scenario + "' > one; football simulate one <&- >&-; echo $?", 1, "141\n")]
     [InlineData("football simulate /dev/null <&- 2>&-; echo $?", 1, "1\n")]
-    [InlineData("football lab vacuum 2>/dev/full | grep -c reached; echo ${PIPESTATUS[0]}", 2, "0\n")]
+    [InlineData("football lab vacuum 2>/dev/full | tail -n 1; echo ${PIPESTATUS[0]}", 2, "0\n")]
     [InlineData("{ football kick; football kick --speed 5; } > both 2>/dev/null; wc -l < both", 1, "2\n")]
     public async Task A_shell_sees_the_same(string line, int lines, string ends)
     {

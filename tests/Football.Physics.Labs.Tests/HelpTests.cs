@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Tests;
@@ -6,14 +7,21 @@ namespace FootballPhysics.Labs.Tests;
 /// <summary>Every command has help with examples, and the examples work.</summary>
 public sealed class HelpTests
 {
-    /// <summary>Writes the file that an example of a match names: a flight of two seconds, 50 times a second.</summary>
-    private const string Track =
-        """awk 'BEGIN { print "t,x,y,z"; for (t = 0; t < 2; t += 0.02) print t "," 18 * t - t * t "," 2 * t "," 0.11 + 10 * t - 4.9 * t * t }' > TRACK.csv; """;
+    /// <summary>The file that an example of a match names: a flight of two seconds, 50 times a second.</summary>
+    private static readonly string s_track = "t,x,y,z\n" + string.Concat(Enumerable.Range(0, 100).Select(i => 0.02 * i).Select(t =>
+        FormattableString.Invariant($"{t:0.00},{(18 * t) - (t * t):0.####},{2 * t:0.####},{0.11 + (10 * t) - (4.9 * t * t):0.####}\n")));
 
-    /// <summary>A camera 60 m beside the path of a ball, and what it saw.</summary>
-    private const string Pixels =
-        """printf 'p11,p12,p13,p14,p21,p22,p23,p24,p31,p32,p33,p34\n-960,0,-3000,57600,-540,-3000,0,38400,-1,0,0,60\n' > CAMERAS.csv; """
-        + """awk 'BEGIN { print "time,u,v"; for (t = 0; t < 1.2; t += 0.02) { w = 60 - 0.5 * t; z = -10 + 18 * t - t * t; y = 0.11 + 6 * t - 4.9 * t * t; print t "," 960 - 3000 * z / w "," 540 - 3000 * (y - 2) / w } }' > PIXELS.csv; """;
+    /// <summary>A camera 60 m beside the path of a ball.</summary>
+    private const string Cameras = "p11,p12,p13,p14,p21,p22,p23,p24,p31,p32,p33,p34\n-960,0,-3000,57600,-540,-3000,0,38400,-1,0,0,60\n";
+
+    /// <summary>What it saw.</summary>
+    private static readonly string s_pixels = "time,u,v\n" + string.Concat(Enumerable.Range(0, 60).Select(i => 0.02 * i).Select(t =>
+    {
+        double depth = 60 - (0.5 * t);
+        double z = -10 + (18 * t) - (t * t);
+        double y = 0.11 + (6 * t) - (4.9 * t * t);
+        return FormattableString.Invariant($"{t:0.00},{960 - (3000 * z / depth):0.##},{540 - (3000 * (y - 2) / depth):0.##}\n");
+    }));
 
     public static TheoryData<string> Paths() => [.. PathsBelow(CommandLineEntry.Root(new Terminal(Stream.Null, Stream.Null, Stream.Null, true, true), Laboratories.Create), "")];
 
@@ -30,14 +38,24 @@ public sealed class HelpTests
     [MemberData(nameof(Examples))]
     public async Task Every_example_works(string example)
     {
-        string bundle = example.Contains("match.zip", StringComparison.Ordinal) ? $"echo {Bundle()} | base64 -d > match.zip; " : "";
-        Shell done = await Shell.RunAsync("set -o pipefail; " + bundle + (example.Contains("TRACK.csv", StringComparison.Ordinal) ? Track : "") + (example.Contains("PIXELS.csv", StringComparison.Ordinal) ? Pixels : "") + example);
+        if (example.Contains("| jq ", StringComparison.Ordinal))
+        {
+            NeededPrograms.Need("apt-get install jq", "jq");
+        }
+
+        string files = (example.Contains("match.zip", StringComparison.Ordinal) ? Written("match.zip", Bundle()) : "")
+            + (example.Contains("TRACK.csv", StringComparison.Ordinal) ? Written("TRACK.csv", Encoding.UTF8.GetBytes(s_track)) : "")
+            + (example.Contains("PIXELS.csv", StringComparison.Ordinal) ? Written("CAMERAS.csv", Encoding.UTF8.GetBytes(Cameras)) + Written("PIXELS.csv", Encoding.UTF8.GetBytes(s_pixels)) : "");
+        Shell done = await Shell.RunAsync("set -o pipefail; " + files + example);
         Assert.True(done.ExitCode == 0, $"{example}: {done.ExitCode}\n{done.Error}");
         Assert.NotEqual("", done.Output);
     }
 
+    /// <summary>The line that writes a file.</summary>
+    private static string Written(string name, byte[] bytes) => $"echo {Convert.ToBase64String(bytes)} | base64 -d > {name}; ";
+
     /// <summary>A bundle of as many ticks as the examples want.</summary>
-    private static string Bundle()
+    private static byte[] Bundle()
     {
         var runner = new FixedStepRunner();
         Recording segment = runner.Record();
@@ -46,7 +64,7 @@ public sealed class HelpTests
             runner.Step();
         }
 
-        return Convert.ToBase64String(segment.ToBundle(runner.Simulator));
+        return segment.ToBundle(runner.Simulator);
     }
 
     [Theory]
