@@ -29,6 +29,9 @@ public sealed partial class BallFilter
     /// <summary>The least weight of a hypothesis in the estimate.</summary>
     private const double LeastWeight = 1e-4;
 
+    /// <summary>The share of a difference of evidence that counts if points have no height: a linear fit of an unseen height misses much of the evidence.</summary>
+    private const double TrustWithoutHeight = 0.5;
+
     /// <summary>The number of times of a path ahead at which its deviation is computed.</summary>
     private const int Knots = 24;
 
@@ -245,7 +248,8 @@ public sealed partial class BallFilter
         double sum = 0;
         for (int i = 0; i < _search.Count; i++)
         {
-            _weights[i] = Elementary.Exp(_search[i].Evidence - best.Evidence);
+        double trust = _search.HasHeight ? 1 : TrustWithoutHeight;
+            _weights[i] = Elementary.Exp(trust * (_search[i].Evidence - best.Evidence));
             sum += _weights[i];
         }
 

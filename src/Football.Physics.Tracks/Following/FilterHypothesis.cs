@@ -86,6 +86,9 @@ internal sealed class FilterHypothesis
     /// <summary>The latest time of the kick; the start without a kick.</summary>
     public double EndOfKick { get; private set; }
 
+    /// <summary>The part of the distribution of the upward velocity; see <see cref="UpwardParts"/>.</summary>
+    public int Part { get; set; }
+
     /// <summary>The logarithm of the evidence: the density of all points, relative to the other hypotheses.</summary>
     public double Evidence { get; private set; }
 
@@ -138,6 +141,7 @@ internal sealed class FilterHypothesis
         Prefix = prefix;
         KickTime = kickTime;
         KickDeviation = kickDeviation;
+        Part = 0;
         Array.Copy(Mean, Values, Most);
         Array.Copy(Prior, Spread, Prior.Length);
     }
@@ -169,6 +173,7 @@ internal sealed class FilterHypothesis
         StartTime = stream.Number(StartTime);
         EndOfKick = stream.Number(EndOfKick);
         IncludesStart = stream.Flag(IncludesStart);
+        Part = stream.Whole(Part);
         SkipsFirst = stream.Flag(SkipsFirst);
         RejectsLast = stream.Flag(RejectsLast);
         Evidence = stream.Number(Evidence);

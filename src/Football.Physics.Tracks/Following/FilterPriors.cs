@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The distributions with which hypotheses start: means and covariances of position, velocity, spin, and the time of a kick.</summary>
@@ -6,6 +8,9 @@ internal sealed class FilterPriors(BallFilterSettings settings)
     /// <summary>The standard deviation of the position at a start, in m: by a position, and by a pixel.</summary>
     private const double StartDeviation = 10;
     private const double PixelStartDeviation = 30;
+
+    /// <summary>The mean and the standard deviation of a height that no point shows, in m.</summary>
+    private const double UnseenHeight = 1.5;
 
     /// <summary>The least standard deviations of a condensed start, for position, velocity and spin.</summary>
     private static readonly double[] Floor = [3e-4, 2e-3, 0.05];
@@ -26,6 +31,25 @@ internal sealed class FilterPriors(BallFilterSettings settings)
 
         SetMotion(start);
         Constrain(start, kind);
+    }
+
+    /// <summary>Sets the distribution of the height at a start that no point shows.</summary>
+    public void SetHeight(FilterHypothesis start)
+    {
+        start.Mean[1] = UnseenHeight;
+        start.Prior[FilterHypothesis.Most + 1] = UnseenHeight * UnseenHeight;
+    }
+
+    /// <summary>Sets the distribution of the upward velocity to one part of it.</summary>
+    /// <returns>The mean of the part, in m/s.</returns>
+    public double SetUpward(FilterHypothesis start, UpwardParts parts, int part)
+    {
+        const int Upward = 4;
+        double mean = parts.Means[part] * settings.KickVelocity;
+        double deviation = parts.Deviation * settings.KickVelocity;
+        start.Mean[Upward] = mean;
+        start.Prior[(Upward * FilterHypothesis.Most) + Upward] = deviation * deviation;
+        return mean;
     }
 
     /// <summary>Sets the distribution of a kick between a moment of another hypothesis and the next.</summary>
@@ -112,4 +136,40 @@ internal sealed class FilterPriors(BallFilterSettings settings)
             start.Prior[(i * FilterHypothesis.Most) + i] = deviation * deviation;
         }
     }
+}
+
+/// <summary>Parts of the distribution of the upward velocity, each narrow enough for a linear fit.</summary>
+/// <remarks>
+/// Points without height hardly show the upward velocity until a bounce, whose time depends on it: the density has several maxima, and a single fit finds one of
+/// them. A sum of narrow normal distributions keeps all of them until the points decide.
+/// </remarks>
+internal sealed class UpwardParts
+{
+    private UpwardParts(double deviation, params double[] means)
+    {
+        Means = means;
+        Deviation = deviation;
+        LogShare = -Elementary.Log(means.Length);
+    }
+
+    /// <summary>One part: the distribution itself.</summary>
+    public static UpwardParts None { get; } = new(1, 0);
+
+    /// <summary>A ball on the ground that is kicked upwards.</summary>
+    public static UpwardParts FromGround { get; } = new(0.2, 0.1, 0.4, 0.75, 1.15);
+
+    /// <summary>A ball that is kicked in the air, or whose motion starts anywhere.</summary>
+    public static UpwardParts InAir { get; } = new(0.3, -0.5, 0, 0.5, 1);
+
+    public static UpwardParts AtStart { get; } = new(0.3, -0.4, 0.1, 0.6);
+
+    /// <summary>The means, and the standard deviation of each part, in deviations of the velocity of a kick.</summary>
+    public double[] Means { get; }
+
+    public double Deviation { get; }
+
+    public int Count => Means.Length;
+
+    /// <summary>The logarithm of the share of a part.</summary>
+    public double LogShare { get; }
 }

@@ -5,12 +5,14 @@ namespace FootballPhysics.Tracks;
 /// <summary>The hypotheses of a filter: adds, weighs and drops them.</summary>
 internal sealed class FilterSearch
 {
-    /// <summary>The number of hypotheses that are kept, and the number of slots: one more receives a candidate.</summary>
-    public const int Kept = 7;
-    public const int Slots = Kept + 1;
+    /// <summary>The number of hypotheses that are kept, also if the last point has no height, and the number of slots: one more receives a candidate.</summary>
+    private const int Kept = 7;
+    private const int KeptWithoutHeight = 11;
+    public const int Slots = KeptWithoutHeight + 1;
 
-    /// <summary>A hypothesis whose evidence, a logarithm, is this much below that of the best is dropped.</summary>
-    private const double Improbable = 10;
+    /// <summary>A hypothesis whose evidence, a logarithm, is this much below that of the best is dropped; also if the last point has no height.</summary>
+    private const double ImprobableWithHeight = 10;
+    private const double ImprobableWithoutHeight = 20;
 
     /// <summary>The estimated gain of a kick, a logarithm, from which it is fitted; below 0, because the estimate is rough.</summary>
     private const double LeastGain = -3;
@@ -19,9 +21,6 @@ internal sealed class FilterSearch
     private const int RejectedForStart = 4;
     private const int StartAgo = 3;
     private const double LogStart = -12;
-
-    /// <summary>The first guess of the upward velocity after a kick if no point has a height, in m/s.</summary>
-    private const double KickedUp = 3;
 
     /// <summary>The index of the moment at which older points are condensed.</summary>
     private const int Condensed = FilterHistory.Room / 2;
@@ -54,6 +53,11 @@ internal sealed class FilterSearch
     }
 
     public int Count { get; private set; }
+
+    /// <summary>True if the last point shows a height.</summary>
+    public bool HasHeight => _points[_points.Count - 1].Kind != FilterPointKind.OnPlan;
+
+    private double Improbable => HasHeight ? ImprobableWithHeight : ImprobableWithoutHeight;
 
     public FilterHypothesis this[int index] => _slots[index];
 
@@ -236,42 +240,55 @@ internal sealed class FilterSearch
         BallState state = _model.Launch(before.Motion, before.Time, before.Rolls);
         BallState middle = state;
         _model.Run(ref middle, before.Time + (0.5 * span));
-        Vector3d velocity = Velocity(in middle, best, at);
+        Vector3d velocity = Velocity(in middle, best, at, out bool hasHeight);
         double prefix = before.Evidence + Elementary.Log(Math.Min(0.5, _model.Settings.KicksPerSecond * span));
         bool lies = _model.Touches(middle.Position.Y);
         for (FilterStart kind = FilterStart.Free; kind <= (lies ? FilterStart.Sliding : FilterStart.Free); kind++)
         {
-            if (IsNew(before.Time, kind, false))
+            bool isSplit = kind == FilterStart.Free && !hasHeight;
+            UpwardParts parts = isSplit ? lies ? UpwardParts.FromGround : UpwardParts.InAir : UpwardParts.None;
+            for (int part = 0; part < parts.Count; part++)
             {
-                bool fits = Try(false);
-
-                // The first point after the kick may be a wrong one.
-                if (!fits && at < best.History.Count - 1 && IsNew(before.Time, kind, true))
+                if (IsNew(before.Time, kind, part, false))
                 {
-                    Try(true);
+                    bool fits = Try(false);
+
+                    // The first point after the kick may be a wrong one.
+                    if (!fits && at < best.History.Count - 1 && IsNew(before.Time, kind, part, true))
+                    {
+                        Try(true);
+                    }
                 }
             }
 
-            bool Try(bool skipsFirst)
-            {
-                FilterHypothesis kick = _slots[Count];
-                _priors.SetKick(kick, before, best.Count, span, kind);
-                kick.Start(in state, end, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), in velocity, kind);
-                kick.SkipsFirst = skipsFirst;
-                kick.Fit(_points, Iterations);
-                Keep();
-                return !kick.RejectsLast;
+                bool Try(bool skipsFirst)
+                {
+                    FilterHypothesis kick = _slots[Count];
+                    _priors.SetKick(kick, before, best.Count, span, kind);
+                    Vector3d guess = velocity;
+                    if (isSplit)
+                    {
+                        guess = new Vector3d(velocity.X, _priors.SetUpward(kick, parts, part), velocity.Z);
+                    }
+
+                    kick.Start(in state, end, prefix + (kind == FilterStart.Free ? parts.LogShare : LogOnGround), in guess, kind);
+                    kick.Part = part;
+                    kick.SkipsFirst = skipsFirst;
+                    kick.Fit(_points, Iterations);
+                    Keep();
+                    return !kick.RejectsLast;
+                }
             }
         }
     }
 
     /// <summary>True if there is no such kick yet; removes one that does not explain the last point.</summary>
-    private bool IsNew(double time, FilterStart kind, bool skipsFirst)
+    private bool IsNew(double time, FilterStart kind, int part, bool skipsFirst)
     {
         for (int i = 0; i < Count; i++)
         {
             FilterHypothesis other = _slots[i];
-            if (other.Count == FilterHypothesis.Most && other.StartTime.Equals(time) && other.Kind == kind && other.SkipsFirst == skipsFirst)
+            if (other.Count == FilterHypothesis.Most && other.StartTime.Equals(time) && other.Kind == kind && other.Part == part && other.SkipsFirst == skipsFirst)
             {
                 if (!other.RejectsLast || other.Used > 1 || Count == 1)
                 {
@@ -280,14 +297,13 @@ internal sealed class FilterSearch
 
                 Remove(i);
                 return true;
-            }
         }
 
         return true;
     }
 
     /// <summary>Guesses the velocity after a kick: the median of the slopes to the points since then, corrected for gravity.</summary>
-    private Vector3d Velocity(in BallState from, FilterHypothesis best, int at)
+    private Vector3d Velocity(in BallState from, FilterHypothesis best, int at, out bool hasHeight)
     {
         int first = _points.After(best.History[at - 1].Time);
         int count = Math.Min(_slopes.Length, _points.Count - first);
@@ -296,15 +312,13 @@ internal sealed class FilterSearch
             return from.Velocity;
         }
 
-        bool hasHeight = true;
+        hasHeight = false;
         for (int i = first; i < first + count; i++)
         {
             if (_points[i].Kind == FilterPointKind.Pixel)
             {
                 return from.Velocity + _gain.Change;
             }
-
-            hasHeight &= _points[i].Kind == FilterPointKind.Position;
         }
 
         double fall = 0.5 * _model.Simulator.Scene.Gravity;
@@ -313,6 +327,7 @@ internal sealed class FilterSearch
         {
             // Of two slopes, the last is the more accurate one.
             int used = Math.Min(count, count < 3 ? 1 : count);
+        hasHeight = true;
             for (int i = 0; i < used; i++)
             {
                 ref FilterPoint point = ref _points[first + count - 1 - i];
@@ -323,8 +338,9 @@ internal sealed class FilterSearch
             Array.Sort(_slopes, 0, used);
             slope[axis] = used % 2 == 1 ? _slopes[used / 2] : 0.5 * (_slopes[used / 2] + _slopes[(used / 2) - 1]);
         }
+            hasHeight |= _points[i].Kind != FilterPointKind.OnPlan;
 
-        return new Vector3d(slope[0], hasHeight ? slope[1] : KickedUp, slope[2]);
+        return new Vector3d(slope[0], slope[1], slope[2]);
     }
 
     /// <summary>Adds a start at a point, without a path before it.</summary>
@@ -339,12 +355,24 @@ internal sealed class FilterSearch
                 continue;
             }
 
-            FilterHypothesis start = _slots[Count];
-            _priors.SetStart(start, in point, in guess, kind);
-            start.Start(point.Time, prefix + (kind == FilterStart.Free ? 0 : LogOnGround), double.NegativeInfinity, 0, kind);
-            start.IncludesStart = true;
-            start.Fit(_points, Iterations);
-            Keep();
+            bool isSplit = kind == FilterStart.Free && point.Kind == FilterPointKind.OnPlan;
+            UpwardParts parts = isSplit ? UpwardParts.AtStart : UpwardParts.None;
+            for (int part = 0; part < parts.Count; part++)
+            {
+                FilterHypothesis start = _slots[Count];
+                _priors.SetStart(start, in point, in guess, kind);
+                if (isSplit)
+                {
+                    _priors.SetHeight(start);
+                    _priors.SetUpward(start, parts, part);
+                }
+
+                start.Start(point.Time, prefix + (kind == FilterStart.Free ? parts.LogShare : LogOnGround), double.NegativeInfinity, 0, kind);
+                start.Part = part;
+                start.IncludesStart = true;
+                start.Fit(_points, Iterations);
+                Keep();
+            }
         }
     }
 
@@ -358,7 +386,7 @@ internal sealed class FilterSearch
         }
 
         Count++;
-        if (Count > Kept)
+        if (Count > (HasHeight ? Kept : KeptWithoutHeight))
         {
             int worst = 0;
             for (int i = 1; i < Count; i++)
