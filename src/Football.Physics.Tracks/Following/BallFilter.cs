@@ -42,7 +42,7 @@ public sealed partial class BallFilter
 
     /// <summary>The index of the spin, and the factor of its standard deviation, by which 97 % of true spins are within three (lab follow).</summary>
     private const int Spin = 6;
-    private const double SpinFactor = 1.3;
+    private const double SpinFactor = 1.35;
 
     private readonly FilterModel _model;
     private readonly FilterPoints _points = new(Room);
@@ -87,6 +87,9 @@ public sealed partial class BallFilter
 
     /// <summary>The number of simulated steps so far.</summary>
     internal long Steps => _model.Steps;
+
+    /// <summary>The work of the last update, in flight steps.</summary>
+    internal double Work => _model.Work;
 
     internal FilterSearch Search => _search;
 
@@ -245,10 +248,10 @@ public sealed partial class BallFilter
     private void SetEstimate()
     {
         FilterHypothesis best = _search.Best;
+        double trust = _search.HasHeight ? 1 : TrustWithoutHeight;
         double sum = 0;
         for (int i = 0; i < _search.Count; i++)
         {
-        double trust = _search.HasHeight ? 1 : TrustWithoutHeight;
             _weights[i] = Elementary.Exp(trust * (_search[i].Evidence - best.Evidence));
             sum += _weights[i];
         }

@@ -80,14 +80,17 @@ internal sealed class FilterHypothesis
     /// <summary>True if the first point is taken for a wrong one.</summary>
     public bool SkipsFirst { get; set; }
 
+    /// <summary>True if a late point is not yet in the estimate.</summary>
+    public bool IsStale { get; set; }
+
     /// <summary>The constraint of the motion at the start.</summary>
     public FilterStart Kind { get; private set; }
 
-    /// <summary>The latest time of the kick; the start without a kick.</summary>
-    public double EndOfKick { get; private set; }
-
     /// <summary>The part of the distribution of the upward velocity; see <see cref="UpwardParts"/>.</summary>
     public int Part { get; set; }
+
+    /// <summary>The latest time of the kick; the start without a kick.</summary>
+    public double EndOfKick { get; private set; }
 
     /// <summary>The logarithm of the evidence: the density of all points, relative to the other hypotheses.</summary>
     public double Evidence { get; private set; }
@@ -138,10 +141,10 @@ internal sealed class FilterHypothesis
         EndOfKick = time;
         IncludesStart = false;
         SkipsFirst = false;
+        Part = 0;
         Prefix = prefix;
         KickTime = kickTime;
         KickDeviation = kickDeviation;
-        Part = 0;
         Array.Copy(Mean, Values, Most);
         Array.Copy(Prior, Spread, Prior.Length);
     }
@@ -170,12 +173,13 @@ internal sealed class FilterHypothesis
     {
         _rays.Count = stream.Whole(Count);
         Kind = (FilterStart)stream.Whole((int)Kind);
+        Part = stream.Whole(Part);
         StartTime = stream.Number(StartTime);
         EndOfKick = stream.Number(EndOfKick);
         IncludesStart = stream.Flag(IncludesStart);
-        Part = stream.Whole(Part);
         SkipsFirst = stream.Flag(SkipsFirst);
         RejectsLast = stream.Flag(RejectsLast);
+        IsStale = stream.Flag(IsStale);
         Evidence = stream.Number(Evidence);
         Prefix = stream.Number(Prefix);
         Used = stream.Whole(Used);
@@ -202,7 +206,8 @@ internal sealed class FilterHypothesis
     /// <summary>Fits the motion to the points since the start.</summary>
     public void Fit(FilterPoints points, int iterations)
     {
-        for (int i = 0; i < iterations; i++)
+        IsStale = false;
+        for (int i = 0; i < iterations && (i == 0 || _model.MayFit); i++)
         {
             Linearize();
             Array.Copy(Mean, Values, Most);
@@ -240,7 +245,7 @@ internal sealed class FilterHypothesis
     {
         Points++;
         Include(ref points[points.Count - 1], false);
-        if (IsFar(Far) && _model.MayFit(Points))
+        if ((IsStale || IsFar(Far)) && _model.MayFit)
         {
             Fit(points, Points > Long ? 1 : 2);
         }

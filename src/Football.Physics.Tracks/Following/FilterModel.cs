@@ -24,11 +24,19 @@ internal sealed class FilterModel
 
     private const double LogTwoPi = 1.8378770664093453;
 
-    /// <summary>The number of points of all fits of one update.</summary>
-    private const int MostFitted = 100;
+    /// <summary>The work of the fits of one update, in flight steps, if points are 10 ms apart; in longer intervals there is time for more.</summary>
+    private const double MostWork = 2500;
+    private const double ShortInterval = 0.01;
+    private const double MostIntervals = 10;
+
+    /// <summary>The work up to which kicks are tried, as a multiple of that of the fits: a missed kick costs more than a late fit.</summary>
+    private const double MostBranching = 1.5;
+
+    /// <summary>The work of a step that ends a slide, in flight steps: it is taken in pieces.</summary>
+    private const double EndOfSlide = 100;
 
     private readonly StepLog _log = new();
-    private int _left;
+    private double _most = double.PositiveInfinity;
 
     public FilterModel(Simulator simulator, BallFilterSettings settings)
     {
@@ -41,8 +49,8 @@ internal sealed class FilterModel
 
     public BallFilterSettings Settings { get; }
 
-    /// <summary>The logarithm of the odds of a wrong point.</summary>
-    public double LogOutlier { get; }
+    /// <summary>The logarithm of the odds of a wrong point; −∞ if all points are right.</summary>
+    public double LogOutlier { get; init; }
 
     /// <summary>The number of simulated steps, for measuring.</summary>
     public long Steps { get; set; }
@@ -57,9 +65,15 @@ internal sealed class FilterModel
         double left = time - state.Time;
         if (left > 0)
         {
+            MotionState motion = state.Motion;
             _log.Clear();
             Simulator.RunChecked(ref state, LongestStep, left, StopAt.Time, _log, null);
             Steps += _log.Steps;
+            Work += _log.Steps;
+            if (state.Motion == MotionState.Rolling && motion == MotionState.Sliding)
+            {
+                Work += EndOfSlide;
+            }
         }
     }
 
@@ -72,16 +86,22 @@ internal sealed class FilterModel
         return _log.Events.Count == 0 && state.Motion == motion;
     }
 
-    /// <summary>Allows the fits of one update, up to a number of points.</summary>
-    public void Allow() => _left = MostFitted;
-
-    /// <summary>Returns false if the fits of this update already took too long. The next update then does it.</summary>
-    public bool MayFit(int points)
+    /// <summary>Limits the work of the fits of one update.</summary>
+    /// <param name="interval">The time since the last point, in s.</param>
+    public void Allow(double interval)
     {
-        bool may = _left > 0;
-        _left -= points;
-        return may;
+        Work = 0;
+        _most = MostWork * Math.Min(MostIntervals, Math.Max(1, interval / ShortInterval));
     }
+
+    /// <summary>False if the fits of this update already took too long. The next update then does the others. Without a limit, always true.</summary>
+    public bool MayFit => Work < _most;
+
+    /// <summary>False if the work of this update no longer allows another kick to be tried. The next update then tries it.</summary>
+    public bool MayBranch => Work < MostBranching * _most;
+
+    /// <summary>The work of this update so far, in flight steps.</summary>
+    public double Work { get; private set; }
 
     /// <summary>Launches a ball at parameters of a search, which may exceed the limits of a ball.</summary>
     public BallState Launch(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) => Simulator.LaunchAt(

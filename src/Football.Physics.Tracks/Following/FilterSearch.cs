@@ -89,7 +89,8 @@ internal sealed class FilterSearch
     /// <summary>Includes the last point.</summary>
     public void Add()
     {
-        _model.Allow();
+        int last = _points.Count - 1;
+        _model.Allow(last > 0 ? _points[last].Time - _points[last - 1].Time : 0);
         FilterHypothesis best = Best;
         best.Add(_points);
         for (int i = 0; i < Count; i++)
@@ -108,15 +109,30 @@ internal sealed class FilterSearch
     /// <summary>Includes a late point.</summary>
     public void Insert(double time)
     {
+        _model.Allow(0);
+        FilterHypothesis best = Best;
+        Include(best);
         for (int i = 0; i < Count; i++)
         {
-            if (_slots[i].StartTime < time)
+            if (_slots[i] != best)
             {
-                _slots[i].Fit(_points, 1);
+                Include(_slots[i]);
             }
         }
 
         Drop();
+
+        void Include(FilterHypothesis into)
+        {
+            if (into.StartTime < time)
+            {
+                into.IsStale = true;
+                if (_model.MayFit)
+                {
+                    into.Fit(_points, 1);
+                }
+            }
+        }
     }
 
     /// <summary>Condenses the points before the history of hypotheses that are older than a time.</summary>
@@ -198,7 +214,10 @@ internal sealed class FilterSearch
         {
             for (int at = last; at > Math.Max(best.IncludesStart ? Fresh : 0, last - 3); at--)
             {
-                Kick(best, at);
+                if (_model.MayBranch)
+                {
+                    Kick(best, at);
+                }
             }
 
             if (best.RejectedInRow >= RejectedForStart)
@@ -213,11 +232,16 @@ internal sealed class FilterSearch
         }
 
         int likely = _gain.Find(best, _model.Settings, LeastGain);
-        if (likely > 0 && _model.MayFit(best.Points))
+        if (likely > 0)
         {
-            // A fit that has not converged looks like a kick.
-            best.Fit(_points, Again);
-            likely = _gain.Find(best, _model.Settings, LeastGain);
+            // A fit that has not converged looks like a kick. Without time for it, the next update seeks the kick.
+            bool mayFit = _model.MayFit;
+            if (mayFit)
+            {
+                best.Fit(_points, Again);
+            }
+
+            likely = mayFit ? _gain.Find(best, _model.Settings, LeastGain) : 0;
         }
 
         if (likely > 0)
@@ -259,7 +283,6 @@ internal sealed class FilterSearch
                         Try(true);
                     }
                 }
-            }
 
                 bool Try(bool skipsFirst)
                 {
@@ -297,6 +320,7 @@ internal sealed class FilterSearch
 
                 Remove(i);
                 return true;
+            }
         }
 
         return true;
@@ -305,6 +329,7 @@ internal sealed class FilterSearch
     /// <summary>Guesses the velocity after a kick: the median of the slopes to the points since then, corrected for gravity.</summary>
     private Vector3d Velocity(in BallState from, FilterHypothesis best, int at, out bool hasHeight)
     {
+        hasHeight = true;
         int first = _points.After(best.History[at - 1].Time);
         int count = Math.Min(_slopes.Length, _points.Count - first);
         if (count == 0)
@@ -315,6 +340,7 @@ internal sealed class FilterSearch
         hasHeight = false;
         for (int i = first; i < first + count; i++)
         {
+            hasHeight |= _points[i].Kind != FilterPointKind.OnPlan;
             if (_points[i].Kind == FilterPointKind.Pixel)
             {
                 return from.Velocity + _gain.Change;
@@ -327,7 +353,6 @@ internal sealed class FilterSearch
         {
             // Of two slopes, the last is the more accurate one.
             int used = Math.Min(count, count < 3 ? 1 : count);
-        hasHeight = true;
             for (int i = 0; i < used; i++)
             {
                 ref FilterPoint point = ref _points[first + count - 1 - i];
@@ -338,7 +363,6 @@ internal sealed class FilterSearch
             Array.Sort(_slopes, 0, used);
             slope[axis] = used % 2 == 1 ? _slopes[used / 2] : 0.5 * (_slopes[used / 2] + _slopes[(used / 2) - 1]);
         }
-            hasHeight |= _points[i].Kind != FilterPointKind.OnPlan;
 
         return new Vector3d(slope[0], slope[1], slope[2]);
     }
