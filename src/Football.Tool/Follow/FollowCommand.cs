@@ -57,17 +57,13 @@ internal sealed class FollowCommand
             parsed.GetValue(_y), parsed.GetValue(_up), parsed.GetValue(_decimal), parsed.GetValue(_columns));
         Scene scene = ReadScene(parsed, terminal);
         var settings = defaults with { Noise = parsed.GetValue(_noise) ?? defaults.Noise, KicksPerSecond = parsed.GetValue(_kicks) ?? defaults.KicksPerSecond };
-        BallFilter filter = Refusing(() => new BallFilter(scene, settings));
+        BallFilter filter = Refusing("", () => new BallFilter(scene, settings));
         string file = parsed.GetValue(_track)!;
         using Stream stream = Arguments.OpenInput(file, terminal);
         var path = new Trajectory();
-        foreach ((double time, Vector3d position) in Points(stream, file, format, scene, terminal))
+        foreach ((long line, double time, Vector3d position) in Points(stream, file, format, scene, terminal))
         {
-            Refusing(() =>
-            {
-                filter.Update(time, position);
-                return filter;
-            });
+            Include(filter, line, time, position);
             terminal.Output.Write(FollowWriter.Line(filter, ahead, path).Span);
             terminal.Output.Flush();
         }
@@ -75,15 +71,15 @@ internal sealed class FollowCommand
         return ExitCode.Done;
     }
 
-    /// <summary>Reads a file by the rules of fit --match, and any other stream line by line.</summary>
-    private static IEnumerable<(double Time, Vector3d Position)> Points(Stream stream, string file, TrackFormat format, Scene scene, Terminal terminal)
+    /// <summary>Reads a file by the rules of fit --match, and any other stream line by line. A file has no line numbers, because its points are sorted.</summary>
+    private static IEnumerable<(long Line, double Time, Vector3d Position)> Points(Stream stream, string file, TrackFormat format, Scene scene, Terminal terminal)
     {
         if (file == "-" || !stream.CanSeek)
         {
             return new FollowLines(new StreamReader(stream), format, terminal.Person.WriteLine).Points();
         }
 
-        return TrackReader.Reading(stream, terminal.Person.WriteLine, format, scene.Gravity).Points.Select(point => (point.Time, point.Position));
+        return TrackReader.Reading(stream, terminal.Person.WriteLine, format, scene.Gravity).Points.Select(point => (0L, point.Time, point.Position));
     }
 
     private Scene ReadScene(ParseResult parsed, Terminal terminal)
@@ -107,8 +103,14 @@ internal sealed class FollowCommand
         });
     }
 
-    /// <summary>Translates an error of the library to one of the command.</summary>
-    private static T Refusing<T>(Func<T> work)
+    private static void Include(BallFilter filter, long line, double time, Vector3d position) => Refusing(line > 0 ? FormattableString.Invariant($"line {line}, ") : "", () =>
+    {
+        filter.Update(time, position);
+        return filter;
+    });
+
+    /// <summary>Translates an error of the library to one of the command, after the line that has it.</summary>
+    private static T Refusing<T>(string where, Func<T> work)
     {
         try
         {
@@ -116,7 +118,7 @@ internal sealed class FollowCommand
         }
         catch (ArgumentException e)
         {
-            throw new RefusedException(LibraryRefusal.Sentence(e));
+            throw new RefusedException(where + LibraryRefusal.Sentence(e));
         }
     }
 }

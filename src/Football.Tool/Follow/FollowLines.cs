@@ -21,8 +21,8 @@ internal sealed class FollowLines(TextReader reader, TrackFormat format, Action<
     private double _second = 1;
     private char _separator = ',';
 
-    /// <summary>Reads the points.</summary>
-    public IEnumerable<(double Time, Vector3d Position)> Points()
+    /// <summary>Reads the points, each with the number of its line.</summary>
+    public IEnumerable<(long Line, double Time, Vector3d Position)> Points()
     {
         long number = 0;
         while (reader.ReadLine() is { } line)
@@ -56,13 +56,15 @@ internal sealed class FollowLines(TextReader reader, TrackFormat format, Action<
             double y = _scales[1] * Number(places[1], number, "y");
             double z = _scales[2] * Number(places[2], number, "z");
             (double up, double across) = format.IsYUp == true ? (y, z) : (z, y);
-            if (!(Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) <= Farthest))
+            double[] metres = [x, y, z];
+            int far = Array.FindIndex(metres, value => !(Math.Abs(value) <= Farthest));
+            if (far >= 0)
             {
-                throw new RefusedException(FormattableString.Invariant($"line {number} is more than 1 km from the origin. Give --unit if the coordinates are not metres."));
+                throw new RefusedException(FormattableString.Invariant($"line {number}, {"xyz"[far]}"), Quote.Short(places[far]), "within 1 km of the origin; --unit states a unit other than metres");
             }
 
             bool isRight = format.IsYDown ?? format.IsYUp ?? false;
-            yield return (time, new Vector3d(x, up, isRight ? across : -across));
+            yield return (number, time, new Vector3d(x, up, isRight ? across : -across));
         }
     }
 
