@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ARM64: the golden file, by the program that prints it, published for linux-arm64, and kicks and a match through the C library, which is built across; all run by qemu-user over Debian's C library for that machine.
-#   tests/arm64.sh [golden]        golden: the golden file alone, as CI does
+# ARM64: the golden file and the live filter, by the program that prints them, published for linux-arm64, and kicks, a match and the filter through the C library, which is built across; all run by qemu-user over Debian's C library for that machine.
+#   tests/arm64.sh [golden]        golden: the golden file and the live filter alone, as CI does
 # Needs qemu-aarch64-static (Debian: qemu-user-static), aarch64-linux-gnu-gcc (gcc-aarch64-linux-gnu, libc6-dev-arm64-cross) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -36,13 +36,18 @@ run "$work/golden/consumer" > "$work/hashes" 2> "$log" || fail "the golden progr
 diff tests/Golden/golden.txt "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < tests/Golden/golden.txt) lines differ)"
 echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.txt, published in $published s, run in $(( SECONDS - start )) s"
 
+start=$SECONDS
+run "$work/golden/consumer" --follow > "$work/hashes" 2> "$log" || fail "the live filter on ARM64"
+diff tests/Native/follow.txt "$work/hashes" > "$log" || fail "the live filter: other hashes than tests/Native/follow.txt"
+echo "ok    ARM64 under qemu-user: the live filter, $(wc -l < "$work/hashes") lines as in follow.txt, run in $(( SECONDS - start )) s"
+
 [[ ${1:-} != golden ]] || exit 0
 
 # --- the C library there: built across, and kicks.c and match.c against it
 
 start=$SECONDS
 src/Football.Physics.Native/build.sh "$work/native" linux-arm64 > "$log" 2>&1 || fail "build.sh for linux-arm64"
-for program in kicks match; do
+for program in kicks match follow; do
   aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" "tests/Native/$program.c" -o "$work/$program" -L"$work/native/lib" -lfootball_physics -lm > "$log" 2>&1 || fail "$program.c for ARM64"
 done
 newest=$(readelf -W --dyn-syms "$work/native/lib/libfootball_physics.so" | grep -oE '@GLIBC_[0-9.]+' | sort -uV | tail -n 1)
@@ -56,3 +61,7 @@ start=$SECONDS
 run -E LD_LIBRARY_PATH="$work/native/lib" "$work/match" 2 > "$work/hashes" 2> "$log" || fail "match.c on ARM64"
 diff <(head -n 2 tests/Native/match.txt) "$work/hashes" > "$log" || fail "a match on ARM64: other hashes than C# has on x64"
 echo "ok    ARM64 under qemu-user: two minutes of a match with 22 moving players, the hashes of C# on x64, in $(( SECONDS - start )) s; glibc ${newest#@GLIBC_} or later"
+start=$SECONDS
+run -E LD_LIBRARY_PATH="$work/native/lib" "$work/follow" > "$work/hashes" 2> "$log" || fail "follow.c on ARM64"
+diff tests/Native/follow.txt "$work/hashes" > "$log" || fail "the live filter on ARM64: other hashes than C# has on x64"
+echo "ok    ARM64 under qemu-user: the live filter through the C library, the hashes of C# on x64, in $(( SECONDS - start )) s"

@@ -96,6 +96,12 @@ ASAN_OPTIONS=$sanitizers "$work/match" > "$work/match.txt" 2> "$log" || fail "ma
 diff tests/Native/match.txt "$work/match.txt" > "$log" || fail "match: other hashes than C# has"
 ok "a match of ten minutes with 22 moving players, restored and replayed on the way: the hashes of C#, under sanitizers, in $(( SECONDS - start )) s"
 
+quietly "follow.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/follow.c -o "$work/follow" "${link[@]}"
+start=$SECONDS
+"$work/follow" > "$work/follow.txt" 2> "$log" || fail "follow.c"
+diff tests/Native/follow.txt "$work/follow.txt" > "$log" || fail "the live filter: other hashes than C# has"
+ok "three streams of the live filter, with late, wrong and missing points: the hashes of C#, in $(( SECONDS - start )) s"
+
 quietly "one_default.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/one_default.c -o "$work/one_default" "${link[@]}"
 "$work/one_default" tests/Golden/one-default.csv > "$work/said" 2> "$log" || fail "one_default.c"
 ok "$(cat "$work/said")"

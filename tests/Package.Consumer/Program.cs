@@ -3,6 +3,19 @@ using System.Reflection;
 using FootballPhysics;
 using FootballPhysics.Golden;
 
+#if FOLLOW
+// With --follow, the lines of the live filter.
+if (args.Contains("--follow"))
+{
+    foreach (string line in GoldenFollow.Lines())
+    {
+        Console.WriteLine(line);
+    }
+
+    return;
+}
+#endif
+
 // A shot, as a game would play it.
 var ball = new Ball();
 ball.Kick(speed: 27, direction: new Vector3(-0.1f, 0.3f, -1f), topSpin: -10, sideSpin: 55);
