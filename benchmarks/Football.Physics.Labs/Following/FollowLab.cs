@@ -6,12 +6,14 @@ internal static class FollowLab
     private static readonly double[] Rates = [10, 25, 50, 100];
     private static readonly double[] Noises = [0.005, 0.02, 0.05, 0.1];
     private static readonly double[] Limits = [1.7, 1.3, 1.15, 1.2];
+    private const double MostOfBound = 1.1;
     private static readonly string[] Names = ["velocity, 3 points", "velocity, 5 points", "velocity, 10 points", "1 s ahead, 10 points"];
 
     public static Lab Create()
     {
         var lab = new Lab("follow", "Follows simulated balls live: errors next to those of an oracle, kicks, deviations and time.", ["football lab follow --tracks 500"]);
         var tracks = lab.Whole("--tracks", "Number of simulated tracks.", 0, 1_000_000, 500);
+        var flat = lab.Whole("--without-heights", "Number of simulated tracks whose points have no height.", 0, 1_000_000, 100);
         var jobs = lab.Jobs("Threads.");
         var files = lab.Add(new System.CommandLine.Option<string[]>("--track") { HelpName = "FILE", Description = "Track with its truth beside it (.json); can be repeated.", DefaultValueFactory = _ => [] });
         var real = lab.Add(new System.CommandLine.Option<string[]>("--real") { HelpName = "FILE", Description = "Track of a real match; can be repeated.", DefaultValueFactory = _ => [] });
@@ -51,6 +53,12 @@ internal static class FollowLab
                 FollowScore[] cells = [.. Enumerable.Range(0, 16).Select(cell => Sum(all.Where((_, i) => i % 16 == cell)))];
                 Report(run, $"{count} simulated tracks", Sum(all), cells);
             }
+
+            int without = run.Int(flat);
+            if (without > 0)
+            {
+                Cover(run, $"{without} simulated tracks without heights", Sum(run.Parallel(without, run.Int(jobs), "tracks", i => Play(run, (int)i, withHeights: false))));
+            }
         });
     }
 
@@ -87,23 +95,24 @@ internal static class FollowLab
         }
     }
 
-    private static FollowScore Play(LabRun run, int index)
+    private static FollowScore Play(LabRun run, int index, bool withHeights = true)
     {
         int cell = index % 16;
         FollowTrack track = FollowTrack.Simulate(run.Random(index), Rates[cell % 4], Noises[cell / 4]);
-        return FollowPlay.Run(track, Settings(track.Noise));
+        return FollowPlay.Run(track, Settings(track.Noise), withHeights);
     }
 
     private static BallFilterSettings Settings(double noise) => new() { Noise = noise };
 
     private static void ReportTimes(LabRun run)
     {
-        (double mean, double worst, double step, double steps, long bytes) = FollowTimes.Measure(run, [.. Noises, .. Noises]);
+        (double mean, double worst, double step, double steps, double work, long bytes) = FollowTimes.Measure(run, [.. Noises, .. Noises]);
         LabTable table = run.Table("Time per point at 100 Hz, in RK4 flight steps", "measure", "value", "target", "verdict");
         table.Judge(mean / step <= 600, "mean", mean / step, "≤ 600");
         table.Judge(worst / step <= 6000, "worst", worst / step, "≤ 6000");
         table.Judge(bytes == 0, "bytes allocated", bytes, "0");
         table.Add("simulated steps of a point, mean", steps, null, null);
+        table.Add("work of a point by its count of steps, worst", work, null, null);
         table.Add("flight step, ns", 1e9 * step, null, null);
     }
 
@@ -128,6 +137,11 @@ internal static class FollowLab
             table.Judge(all.Ratio(i) <= Limits[i], Names[i], all.Ratio(i), Median(ratios), Worst(ratios), all.OracleError(i), all.BoundRatio(i), all.Counts[i], $"≤ {Limits[i]}");
         }
 
+        for (int i = 0; i < all.AirBound.Length; i++)
+        {
+            table.Judge(all.AirBoundRatio(i) <= MostOfBound, $"oracle / bound, {Names[i]}, kicks into the air", all.AirBoundRatio(i), null, null, null, null, all.AirCounts[i], $"≤ {MostOfBound}");
+        }
+
         double missed = 100.0 * all.Missed / Math.Max(1, all.Kicks);
         table.Judge(missed <= 1, "kicks not found within 5 points, %", missed, null, null, null, null, all.Kicks, "≤ 1");
         double falses = all.False / all.Seconds * 600;
@@ -143,6 +157,20 @@ internal static class FollowLab
         }
 
         run.Notes.AddRange(all.Falses);
+    }
+
+    /// <summary>Reports the coverage of points without height: a height that they do not show must have a large deviation.</summary>
+    private static void Cover(LabRun run, string name, FollowScore all)
+    {
+        LabTable table = run.Table(name, "measure", "value", "of", "target", "verdict");
+        for (int i = 0; i < 4; i++)
+        {
+            table.Add($"{FollowScore.Quantities[i]} within one deviation, %", all.Share1(i), all.Covered[i], null, null);
+            table.Judge(all.Share3(i) >= 97, $"{FollowScore.Quantities[i]} within three deviations, %", all.Share3(i), all.Covered[i], "≥ 97");
+        }
+
+        table.Add("kicks not found within 5 points, %", 100.0 * all.Missed / Math.Max(1, all.Kicks), all.Kicks, null, null);
+        table.Add("false kicks in 10 minutes", all.False / all.Seconds * 600, all.Seconds, null, null);
     }
 
     private static double Median(double[] sorted) => sorted.Length == 0 ? double.NaN : sorted[sorted.Length / 2];

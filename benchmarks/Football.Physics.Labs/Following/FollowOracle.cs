@@ -21,7 +21,7 @@ internal sealed class FollowOracle
 
     public FollowOracle(Scene scene, BallFilterSettings settings)
     {
-        _model = new FilterModel(new Simulator(scene, new SolverSettings { Integrator = Integrator.Rk4 }), settings);
+        _model = new FilterModel(new Simulator(scene, new SolverSettings { Integrator = Integrator.Rk4 }), settings) { LogOutlier = double.NegativeInfinity };
         (_now, _before, _bound) = (new FilterHypothesis(_model, 0), new FilterHypothesis(_model, 1), new FilterHypothesis(_model, 2));
     }
 
@@ -75,7 +75,6 @@ internal sealed class FollowOracle
     public void Add(FollowRow row, double noise)
     {
         Insert(row, noise);
-        _model.Allow();
         _now.Add(_points);
     }
 
@@ -83,6 +82,9 @@ internal sealed class FollowOracle
     public void Kick(TrueKick kick, FollowRow row, double noise)
     {
         LastKick = kick.Time;
+
+        // The position at the kick follows from the points before it: fit them to the end.
+        _now.Fit(_points, Iterations);
         (_now, _before) = (_before, _now);
         FilterMoment last = _before.History.Last;
         FilterMath.Covariance(last, _before.Count, _covariance);

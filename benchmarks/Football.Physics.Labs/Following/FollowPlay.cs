@@ -9,14 +9,23 @@ internal static class FollowPlay
     /// <summary>The change of the velocity, in standard deviations of a point per interval, from which a kick counts.</summary>
     private const double Sharp = 5;
 
+    /// <summary>The upward velocity from which a kick is into the air, in m/s.</summary>
+    private const double Hop = 0.2;
+
+    /// <summary>The error of the velocity, in deviations of the oracle, from which a kick is listed.</summary>
+    private const double FarOff = 4;
+
     /// <summary>The number of points within which a kick must be found.</summary>
     private const int Soon = 5;
 
-    public static FollowScore Run(FollowTrack track, BallFilterSettings settings, bool withOracle = true)
+    /// <param name="track">The track.</param>
+    /// <param name="settings">The settings of the filter.</param>
+    /// <param name="withHeights">True to pass the positions, and to compare with the oracle; false to pass them without their heights.</param>
+    public static FollowScore Run(FollowTrack track, BallFilterSettings settings, bool withHeights = true)
     {
         var score = new FollowScore();
         var filter = new BallFilter(track.Scene, settings);
-        var oracle = withOracle ? new FollowOracle(track.Scene, settings) : null;
+        var oracle = withHeights ? new FollowOracle(track.Scene, settings) : null;
         var path = new Trajectory();
         int next = 0;
         int after = int.MinValue;
@@ -35,7 +44,15 @@ internal static class FollowPlay
                 found = false;
             }
 
-            filter.Update(row.Time, row.Measured);
+            if (withHeights)
+            {
+                filter.Update(row.Time, row.Measured);
+            }
+            else
+            {
+                filter.Update(row.Time, row.Measured.X, row.Measured.Z);
+            }
+
             if (row.IsRepeated)
             {
                 continue;
@@ -97,11 +114,14 @@ internal static class FollowPlay
                 oracle.Finish();
                 double deviation = Deviation(oracle.Covariance, 3);
                 double off = (new Vector3d(oracle.Estimate[3], oracle.Estimate[4], oracle.Estimate[5]) - row.Truth.Velocity).Length;
-                score.AddBound(at, off / Math.Sqrt(3) / Deviation(oracle.Bound, 3));
+                score.AddBound(at, off / Math.Sqrt(3) / Deviation(oracle.Bound, 3), last is { } of && (of.Velocity.Y > Hop || of.Position.Y > TruthBall.Radius + 0.01));
                 double scale = 1 / (Math.Sqrt(3) * deviation);
-                score.AddError(
-                    at, scale * (estimate.State.Velocity - row.Truth.Velocity).Length,
-                    scale * off);
+                double error = scale * (estimate.State.Velocity - row.Truth.Velocity).Length;
+                score.AddError(at, error, scale * off);
+                if (error > FarOff && at == FollowScore.After.Length - 1)
+                {
+                    score.Falses.Add(FormattableString.Invariant($"{track.Rate} Hz {track.Noise} m: velocity off by {error:F1} deviations of the oracle (its own {scale * off:F1}), {after} points after {last.Value.Time - track.Rows[0].Time:F3}, to {last.Value.Velocity}; told {estimate.VelocityDeviation:F2} m/s, the oracle {deviation:F2}"));
+                }
             }
 
             if (after >= FollowScore.After[0])

@@ -44,9 +44,22 @@ internal sealed class FollowScore
         Counts[at]++;
     }
 
-    public void AddBound(int at, double error) => Bound[at] += Math.Pow(Math.Min(Most, error), 2);
+    /// <summary>The same of kicks into the air only: along the ground, the upward velocity is at the end of its range, where the bound does not hold.</summary>
+    public double[] AirBound { get; } = new double[3];
+
+    public int[] AirCounts { get; } = new int[3];
+
+    public void AddBound(int at, double error, bool isInAir)
+    {
+        double square = Math.Pow(Math.Min(Most, error), 2);
+        Bound[at] += square;
+        AirBound[at] += isInAir ? square : 0;
+        AirCounts[at] += isInAir ? 1 : 0;
+    }
 
     public double BoundRatio(int at) => at < Bound.Length && Counts[at] > 0 ? Math.Sqrt(Bound[at] / Counts[at]) : double.NaN;
+
+    public double AirBoundRatio(int at) => AirCounts[at] > 0 ? Math.Sqrt(AirBound[at] / AirCounts[at]) : double.NaN;
 
     public void AddCover(int quantity, Vector3d error, double deviation)
     {
@@ -83,6 +96,8 @@ internal sealed class FollowScore
         for (int i = 0; i < Bound.Length; i++)
         {
             Bound[i] += other.Bound[i];
+            AirBound[i] += other.AirBound[i];
+            AirCounts[i] += other.AirCounts[i];
         }
 
         Falses.AddRange(other.Falses);

@@ -7,12 +7,13 @@ internal static class FollowTimes
 {
     private const int Rounds = 3;
 
-    /// <summary>Returns the mean and the worst time of a point, the time of a flight step, in s, and the greatest number of steps of a point.</summary>
+    /// <summary>Returns the mean and the worst time of a point, the time of a flight step, in s, the simulated steps of a point, the greatest work of a point, in flight steps, and the allocated bytes.</summary>
     /// <remarks>Each point has the least of some equal rounds, because other processes disturb the clock.</remarks>
-    public static (double Mean, double Worst, double Step, double Steps, long Bytes) Measure(LabRun run, IEnumerable<double> noises)
+    public static (double Mean, double Worst, double Step, double Steps, double Work, long Bytes) Measure(LabRun run, IEnumerable<double> noises)
     {
         double sum = 0;
         double worst = 0;
+        double work = 0;
         long points = 0;
         long steps = 0;
         long bytes = 0;
@@ -33,6 +34,7 @@ internal static class FollowTimes
                     long start = Stopwatch.GetTimestamp();
                     filter.Update(row.Time, row.Measured);
                     least[i] = Math.Min(least[i], Stopwatch.GetElapsedTime(start).TotalSeconds);
+                    work = Math.Max(work, filter.Work);
                 }
 
                 fewest = Math.Min(fewest, GC.GetAllocatedBytesForCurrentThread() - before);
@@ -46,7 +48,7 @@ internal static class FollowTimes
             points += least.Length;
         }
 
-        return (sum / points, worst, FlightStep(), (double)steps / points, bytes);
+        return (sum / points, worst, FlightStep(), (double)steps / points, work, bytes);
     }
 
     private static double FlightStep()
