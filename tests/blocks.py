@@ -40,6 +40,7 @@ SCRIPTS = {
     "docs/data-sets.md#python": "tests/native.sh",
     "docs/getting-started.md#install": "tests/package.sh",
     "docs/getting-started.md#a-first-kick": "tests/package.sh",
+    "samples/Live/README.md#following-a-ball-live-a-page": ".ci/run",
     "samples/Network/README.md#two-machines-one-match": ".ci/run",
 }
 
@@ -59,6 +60,8 @@ NOT_RUN = {
     ("docs/data-sets.md#python", 1): ".ci/release runs this command; tests/native.sh installs the wheel of the release",
     ("docs/godot.md#gdscript-without-c", 1): ".ci/release runs this command; tests/native.sh plays the extension of the release",
     ("docs/performance.md#warm-up-the-first-step-is-slow", 1): ".ci/release runs this command; tests/package.sh uses the packages of the release",
+    ("docs/following.md#see-it", 1): "serves until someone stops it; tests/Web.Tests opens its page",
+    ("samples/Live/README.md#following-a-ball-live-a-page", 2): "serves until someone stops it; tests/Web.Tests opens its page",
 }
 
 # The python blocks that tests/Python/pages.py does not run, and the reason. tests/native.sh calls it for every page with other python blocks.

@@ -7,7 +7,7 @@ public sealed class ProseTests
 
     private static readonly string[] s_generated = ["docs/api.md"];
 
-    public static TheoryData<string> Pages => [.. Repository.Pages.Except(s_generated).Append("tests/README.md").Append("samples/Network/README.md")
+    public static TheoryData<string> Pages => [.. Repository.Pages.Except(s_generated).Append("tests/README.md").Append("samples/Live/README.md").Append("samples/Network/README.md")
         .Append("samples/Unity/com.football.physics/Documentation~/index.md").Append("samples/Godot/addons/football_physics/README.md")];
 
     /// <summary>The first folders of the library, and the packages around it.</summary>

@@ -62,7 +62,12 @@ public sealed class Browser : IAsyncLifetime
     }
 
     /// <summary>A window of a width with a page in it.</summary>
-    public async Task<Window> Open(string file, int width = 1280, bool dark = false, string hash = "")
+    public Task<Window> Open(string file, int width = 1280, bool dark = false, string hash = "") => Show(new Uri(file).AbsoluteUri + hash, width, dark, offline: true);
+
+    /// <summary>A window of a width with a page that this machine serves.</summary>
+    public Task<Window> Visit(string address, int width = 1280, bool dark = false) => Show(address, width, dark, offline: false);
+
+    private async Task<Window> Show(string address, int width, bool dark, bool offline)
     {
         NeedBrowser();
         IBrowserContext context = await _browser!.NewContextAsync(new BrowserNewContextOptions
@@ -70,10 +75,10 @@ public sealed class Browser : IAsyncLifetime
             ViewportSize = new ViewportSize { Width = width, Height = width > 600 ? 800 : 844 },
             ColorScheme = dark ? ColorScheme.Dark : ColorScheme.Light,
             HasTouch = width < 600,
-            Offline = true,
+            Offline = offline,
         });
         var window = new Window(await context.NewPageAsync());
-        await window.Page.GotoAsync(new Uri(file).AbsoluteUri + hash);
+        await window.Page.GotoAsync(address);
         return window;
     }
 }

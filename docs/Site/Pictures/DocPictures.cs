@@ -43,5 +43,7 @@ internal static class DocPictures
         ("pieces", DataPictures.Pieces),
         ("work", DataPictures.Work),
         ("batch", DataPictures.Batch),
+        ("live", FollowingPictures.Live),
+        ("follow", FollowingPictures.AfterKicks),
     ];
 }
