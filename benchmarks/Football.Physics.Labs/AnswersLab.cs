@@ -19,7 +19,7 @@ internal static class AnswersLab
     private static readonly (double Wind, int Balls)[] s_conditions = [(0, 1), (0, KnownKick.Balls.Length), (Windy, 1), (Windy, KnownKick.Balls.Length)];
 
     private static readonly (string Name, Action<LabRun, int, int> Ask)[] s_questions =
-        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts), ("arrivals", Arrivals), ("slopes", Slopes), ("frame", Frame)];
+        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts), ("arrivals", Arrivals), ("slopes", Slopes), ("surfaces", Surfaces), ("frame", Frame)];
 
     public static Lab Create()
     {
@@ -105,6 +105,30 @@ internal static class AnswersLab
             table.Judge(slopes["false hits"] == 0, [isUneven ? "long waves" : "a slope", .. slopes.Cells(SlopeCounts.Columns)]);
             run.Notes.AddRange(slopes.Examples.Take(FewExamples));
         }
+    }
+
+    private static void Surfaces(LabRun run, int seed, int count)
+    {
+        LabTable table = run.Table(
+            "Known kicks on level ground, slopes and hills (1 cm; a quarter lands at its target, a quarter rolls), and how many are not found again",
+            ["ground", "wind up to, m/s", .. SurfaceKickCounts.Columns, "verdict"]);
+        foreach (SurfaceCondition condition in SurfaceCondition.All)
+        {
+            LabCounts kicks = SurfaceKickCounts.Of(seed, count, condition);
+            table.Judge(SurfaceKickCounts.Holds(kicks, condition), [condition.Name, condition.Wind, .. kicks.Cells(SurfaceKickCounts.Columns)]);
+            run.Notes.AddRange(kicks.Examples.Take(MostExamples));
+        }
+
+        Decisions(run, seed, count);
+    }
+
+    /// <summary>Targets that a dense scan puts at least 5 % of their distance beyond the reach: most are called out of reach.</summary>
+    private static void Decisions(LabRun run, int seed, int count)
+    {
+        LabCounts far = FarTargetCounts.Of(seed, Math.Max(1, count / 4));
+        run.Table("Targets at least 5 % beyond the reach (level ground, still air)", [.. FarTargetCounts.Columns, "verdict"])
+            .Judge(far["out of reach"] >= 0.9 * far["targets"] && far["hits"] == 0, [.. far.Cells(FarTargetCounts.Columns)]);
+        run.Notes.AddRange(far.Examples.Take(FewExamples));
     }
 
     private static void Frame(LabRun run, int seed, int count)
