@@ -199,6 +199,7 @@ class Refusals(unittest.TestCase):
             ("every is 0", lambda: balls.look_ahead(1, 0)),
             ("thing is 7", lambda: balls.scene.name_of(7)),
             ("aim.speed is -1".replace("aim.", ""), lambda: balls.aim([0, 1, -20], speed=-1)),
+            ("targetVelocity cannot be combined with", lambda: balls.aim([0, 1, -20], through=[0, 2, -10], targetVelocity=[1, 0, 0])),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, "^(aim\\.)?" + sentence.replace(".", "\\.")):
                 call()

@@ -18,6 +18,13 @@ internal sealed class AimContext
     /// <summary>The miss that a search aims for even if the request allows more, in m; well below any useful tolerance.</summary>
     private const double FineMiss = 1e-3;
 
+    /// <summary>The miss that a search aims for at a target on the ground, in m.</summary>
+    private const double GroundMiss = 1e-4;
+
+    /// <summary>The angle by which a kick along sloping ground is steeper than the ground, in rad.</summary>
+    /// <remarks>Only level ground supports a ball that moves into it; on any other surface, even a rounding error would be an impact.</remarks>
+    private const double OffGround = 1e-6;
+
     /// <summary>The maximum number of path segments in a search: some hundred simulations of a football, or fewer in very short steps.</summary>
     public const long MostPieces = 200_000;
 
@@ -30,6 +37,7 @@ internal sealed class AimContext
     private readonly Simulator _simulator;
     private readonly KickLook _look;
     private readonly TurningLook _turningLook;
+    private readonly Collider? _ground;
     private int _spent;
     private int _most;
     private long _pieces;
@@ -48,6 +56,9 @@ internal sealed class AimContext
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
         var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
+        _ground = real.World.Ground;
+        IsLevel = _ground is null or { IsLevelGround: true };
+        IsEvenAround = scene.Air.IsStill && IsLevel && scene.Ground.Pattern is null && !scene.HasOwnForces && !scene.IsTilted;
         Planes = new PlaneShooter(this, withoutGround);
         Shooting = new ShootingProblem(this, withoutGround, _simulator);
         _look = new KickLook(_simulator);
@@ -60,6 +71,15 @@ internal sealed class AimContext
     /// <summary>True if the scene contains more than the ground.</summary>
     /// <remarks>Kicks are searched with the ground only, and then checked in the full scene.</remarks>
     public bool HasThings { get; }
+
+    /// <summary>True if the ground is level or missing, so that its height is the same everywhere.</summary>
+    public bool IsLevel { get; }
+
+    /// <summary>True if the scene looks the same in all horizontal directions: still air, and level ground of one material.</summary>
+    public bool IsEvenAround { get; }
+
+    /// <summary>True if something other than level ground may end a flight that the solvers took for free.</summary>
+    public bool MayBlock => HasThings || !IsLevel;
 
     /// <summary>The scene with the game's own integrator.</summary>
     public Simulator Game { get; }
@@ -108,8 +128,8 @@ internal sealed class AimContext
         Miss.Forget();
     }
 
-    /// <summary>True if rotating a kick's azimuth rotates its flight: in still air, with a target at rest.</summary>
-    public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
+    /// <summary>True if rotating a kick's azimuth rotates its flight: in still air over level ground, with a target at rest.</summary>
+    public bool Turns(in Vector3d targetVelocity) => IsEvenAround && targetVelocity == Vector3d.Zero;
 
     /// <summary>Simulates a kick over the ground to its closest approach.</summary>
     public Approach Look(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
@@ -135,6 +155,9 @@ internal sealed class AimContext
     /// <summary>Returns the miss at which a search ends, in m. It is below the tolerance, because the long steps are slightly inaccurate.</summary>
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
+    /// <summary>Returns this miss for a target. It is smaller on the ground, where a flat flight that is a little low comes down far too early.</summary>
+    public double Sharp(in TargetFrame frame, double tolerance) => Sharp(tolerance, IsOnGround(frame.Target, GroundMiss) ? GroundMiss : FineMiss);
+
     /// <summary>Returns the frame of a request; a ball or target in the ground is raised out of it.</summary>
     public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target), OrientationOf(Game, request));
 
@@ -144,9 +167,46 @@ internal sealed class AimContext
     /// <summary>Returns a position of the ball's centre, raised straight up if it is in the ground.</summary>
     public static Vector3d Raised(Simulator simulator, in Vector3d place) => GroundPlace.Raised(simulator.World, in place);
 
-    /// <summary>True if a kick stays on the ground from its start.</summary>
+    /// <summary>True if a kick stays on level ground from its start.</summary>
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>
         Upward <= 0 && from.Y <= Game.ContactHeight && Math.Abs(upwardSpeed) < Scene.Ground.MinimumBounceSpeed;
+
+    /// <summary>True if a kick stays on the ground from its start, whatever the slope.</summary>
+    public bool StaysDown(in Vector3d from, in Vector3d velocity) =>
+        IsLevel ? StaysDown(in from, velocity.Y)
+        : IsOnGround(in from, GroundMiss) && _simulator.LaunchAt(in from, in velocity, Vector3d.Zero, 0).Motion != MotionState.Airborne;
+
+    /// <summary>True if a kick at an angle stays on the ground from its start.</summary>
+    public bool StaysDown(in TargetFrame frame, in Kick kick, double speed)
+    {
+        if (!IsLevel)
+        {
+            kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out _);
+            return StaysDown(in frame.From, in velocity);
+        }
+
+        Elementary.SinCos(kick.Elevation, out double sine, out _);
+        return StaysDown(in frame.From, speed * sine);
+    }
+
+    /// <summary>True if a ball at a position touches the ground, within a distance in m.</summary>
+    public bool IsOnGround(in Vector3d position, double within) => Math.Abs(Clearance(in position)) < within;
+
+    /// <summary>Returns the height of a ball above the ground, in m: vertical over level ground, otherwise the distance from the surface.</summary>
+    public double Clearance(in Vector3d position) =>
+        IsLevel ? position.Y - Game.ContactHeight : _ground!.At(in position).Distance - Scene.Ball.Radius;
+
+    /// <summary>Returns the elevation of a kick along the ground, in rad.</summary>
+    public double AlongGround(in Vector3d from, in Vector3d direction)
+    {
+        if (IsLevel)
+        {
+            return 0;
+        }
+
+        Vector3d normal = _ground!.At(in from).Normal;
+        return OffGround - Elementary.Atan2(Vector3d.Dot(in normal, in direction), normal.Y);
+    }
 
     /// <summary>Returns the closed-form flight of a kick, with coefficients averaged over a path length.</summary>
     public FlatFire Model(double speed, double spinRate, double way)

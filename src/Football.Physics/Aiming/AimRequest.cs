@@ -15,7 +15,7 @@ public sealed record AimRequest
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>The velocity of the target, in m/s; at most 1000. Default: at rest.</summary>
-    /// <remarks>Used by <see cref="Aimer"/> if the request has no waypoint.</remarks>
+    /// <remarks>It cannot be combined with <see cref="Waypoint"/>, or with the objects of a <see cref="BankShotAimer"/>.</remarks>
     public Vector3d TargetVelocity { get; init; }
 
     /// <summary>A waypoint that the ball must pass before the target, in m; default none.</summary>
@@ -88,6 +88,10 @@ public sealed record AimRequest
         if (Waypoint is { } through)
         {
             Check.Place("aim.waypoint", through);
+            if (TargetVelocity != Vector3d.Zero)
+            {
+                throw Check.Conflict("aim.targetVelocity", "aim.targetVelocity cannot be combined with aim.waypoint. Leave one of them unset.");
+            }
         }
 
         Check.Within("aim.speed", Speed, 0, Limits.Speed, exclusiveLow: true);

@@ -118,11 +118,17 @@ public enum AimStatus
     Hit = 0,
 
     /// <summary>No kick within the bounds hits the target; the result is the closest kick found.</summary>
+    /// <remarks>
+    /// A bound excludes every kick. Either the target needs more energy or time than any kick has, or flights over all elevations bound the miss
+    /// (in still air over level ground, for a target at rest).
+    /// </remarks>
     OutOfReach = 1,
 
-    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the integration error of the
-    /// search.</summary>
-    /// <remarks>The result is the best kick found.</remarks>
+    /// <summary>The search found no kick that hits, but nothing excludes one; the result is the closest kick found.</summary>
+    /// <remarks>
+    /// Most such targets are beyond the reach, in wind, on a slope or by little. The search may also have reached
+    /// <see cref="AimRequest.MaximumIterations"/>.
+    /// </remarks>
     NotConverged = 2,
 
     /// <summary>The request has no direction: the target is at the ball's position.</summary>

@@ -7,6 +7,7 @@ public sealed partial class Aimer
 {
     /// <summary>The maximum number of rounds in the search for the kick's speed or time; they resolve the arrival speed to 1 µm/s.</summary>
     private const int ArrivalRounds = 40;
+    private const int RollSpeeds = 8;
     private const double ArrivalStep = 0.02;
     private const double ArrivalCloseness = 1e-9;
 
@@ -21,7 +22,7 @@ public sealed partial class Aimer
     /// applies just before the ball touches the ground.</remarks>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
     /// <param name="speed">The speed of the ball at the target, in m/s; above 0, at most 1000.</param>
-    /// <returns>The kick; its velocity contains its speed. Out of reach if no kick arrives at this speed.</returns>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if every kick is slower there; a hit arrives within 0.01 m/s.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindAtSpeed(AimRequest request, double speed)
@@ -99,58 +100,83 @@ public sealed partial class Aimer
         return isOff ? Failed(in result, AimStatus.NotConverged) : result;
     }
 
-    /// <summary>Returns the result if no kick arrives at this speed: that of the fastest kick.</summary>
-    internal AimResult NoArrival(AimRequest request)
+    /// <summary>Returns the result if no kick was found that arrives at this speed: that of the closest one, or else of the fastest kick.</summary>
+    internal AimResult NoArrival(AimRequest request, AimSolution? closest, double speed)
     {
-        AimResult fastest = Find(request);
-        return fastest.HitsTarget ? Failed(in fastest, AimStatus.OutOfReach) : fastest;
+        AimResult kick = closest is { } one ? ReportArrival(request, in one, speed) : Find(request);
+        var bound = new EnergyBound(_context, request);
+        bool misses = kick.Status is AimStatus.NotConverged or AimStatus.OutOfReach || (closest is null && kick.HitsTarget);
+        return misses ? Failed(in kick, Unreached(bound.IsTooHigh || bound.IsSlowerThan(speed))) : kick;
     }
 
     /// <summary>Finds the kick along the ground that arrives at a given speed.</summary>
     private bool Rolling(AimRequest request, double speed, out AimResult best)
     {
-        AimRequest along = request with { MinimumElevationDegrees = 0, MaximumElevationDegrees = 0 };
-        best = Find(along);
-        AimResult slow = FindSlowest(along);
-        if (best.Status != AimStatus.Hit || slow.Status != AimStatus.Hit)
+        best = default;
+        if (!_direct.SlowestRoll(request, request.Speed, out AimSolution slow) || !Rolls(request, request.Speed, out AimSolution roll))
         {
             return false;
         }
 
-        double low = slow.Speed;
+        // In still air over level ground, a faster roll arrives faster. Otherwise look for a change of sign between several speeds.
+        double slowest = slow.Speed;
         double high = request.Speed;
-        double atLow = ArrivalOf(along, in slow) - speed;
-        double atHigh = ArrivalOf(along, in best) - speed;
-        if (!(atLow <= 0 && atHigh >= 0))
+        double atHigh = ArrivalOf(request, in roll) - speed;
+        int speeds = _context.Turns(request.TargetVelocity) ? 1 : RollSpeeds;
+        for (int i = 1; i <= speeds; i++)
         {
-            return false;
+            double low = i == speeds ? slowest : request.Speed + ((slowest - request.Speed) * i / speeds);
+            double atLow = Rolls(request, low, out AimSolution next) ? ArrivalOf(request, in next) - speed : double.NaN;
+            if (atLow * atHigh <= 0)
+            {
+                return RollsBetween(request, speed, low, atLow, high, atHigh, out best);
+            }
+
+            (high, atHigh) = (low, atLow);
         }
 
+        return false;
+    }
+
+    /// <summary>Finds the kick along the ground that arrives at a given speed, between one that arrives too slowly and one too fast.</summary>
+    private bool RollsBetween(AimRequest request, double speed, double low, double atLow, double high, double atHigh, out AimResult best)
+    {
+        best = default;
+        AimSolution roll = default;
         for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness; i++)
         {
             // Take a secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
             double middle = low + (share * (high - low));
-            best = Find(along with { Speed = middle });
-            if (best.Status != AimStatus.Hit)
+            if (!Rolls(request, middle, out roll))
             {
                 return false;
             }
 
-            double off = ArrivalOf(along, in best) - speed;
+            double off = ArrivalOf(request, in roll) - speed;
             if (Math.Abs(off) < ArrivalCloseness)
             {
                 break;
             }
 
-            // Keep the bracket's signs: too slow at the low end, too fast at the high end.
-            (low, atLow, high, atHigh) = off < 0 ? (middle, off, high, atHigh) : (low, atLow, middle, off);
+            (low, atLow, high, atHigh) = off * atLow > 0 ? (middle, off, high, atHigh) : (low, atLow, middle, off);
         }
 
-        return Math.Abs(ArrivalOf(along, in best) - speed) <= LargestArrivalError;
+        best = ReportArrival(request, in roll, speed);
+        return best.Status is AimStatus.Hit or AimStatus.Blocked;
     }
 
-    private double ArrivalOf(AimRequest request, in AimResult kick) => SpeedAt(request, kick.Velocity, kick.Spin, kick.Time, kick.Rolls);
+    private bool Rolls(AimRequest request, double speed, out AimSolution roll)
+    {
+        _context.Begin(request.MaximumIterations);
+        return _direct.Rolls(request, speed, out roll);
+    }
+
+    private double ArrivalOf(AimRequest request, in AimSolution roll)
+    {
+        roll.Vectors(out Vector3d velocity, out Vector3d spin);
+        return SpeedAt(request, in velocity, in spin, roll.Time, rolls: true);
+    }
 
     /// <summary>Returns the speed of a kick after a time, in m/s; if it touches the ground earlier, the speed just before the contact.</summary>
     private double SpeedAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time, bool rolls)

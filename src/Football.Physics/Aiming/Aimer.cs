@@ -76,7 +76,7 @@ public sealed partial class Aimer
 
     /// <summary>Finds the slowest kick that hits a target.</summary>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
-    /// <returns>The kick; its velocity contains its speed. Out of reach if even the fastest kick does not reach the target.</returns>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if a bound excludes every kick up to that speed.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindSlowest(AimRequest request)
@@ -89,8 +89,11 @@ public sealed partial class Aimer
             _context.Steps = AimSteps.Short;
             if (!Slowest(request, out solution))
             {
+                // The flights of one speed do not exclude slower kicks: with a lower bound on the elevation, the fastest one may fly over the target.
                 _context.Steps = AimSteps.Long;
                 solution = _direct.Find(request);
+                bool excludes = solution.Status == AimStatus.OutOfReach && (_direct.IsShort || new EnergyBound(_context, request).IsTooHigh);
+                solution.Status = solution.Status == AimStatus.OutOfReach ? Unreached(excludes) : solution.Status;
             }
 
             _context.Steps = AimSteps.Long;
@@ -102,7 +105,7 @@ public sealed partial class Aimer
     /// <summary>Finds the kick that reaches a target at a given time.</summary>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
     /// <param name="time">The time of arrival, in s after the kick; above 0, at most 30.</param>
-    /// <returns>The kick; its velocity contains its speed. Out of reach if no allowed speed makes the ball arrive at this time.</returns>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if the target is farther or higher than any kick can be at this time.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindAtTime(AimRequest request, double time)
@@ -178,7 +181,22 @@ public sealed partial class Aimer
         return flies;
     }
 
-    private AimSolution Search(AimRequest request) => request.Waypoint is null ? _direct.Find(request) : _directTwoPoint.Find(request);
+    private AimSolution Search(AimRequest request)
+    {
+        if (request.Waypoint is null)
+        {
+            return _direct.Find(request);
+        }
+
+        // The spins are free, so a bound for the spins of one search says nothing about the others.
+        AimSolution solution = _directTwoPoint.Find(request);
+        solution.Status = solution.Status == AimStatus.OutOfReach ? Unreached(new EnergyBound(_context, request).IsTooHigh) : solution.Status;
+        return solution;
+    }
+
+    /// <summary>Returns the status of a request for which no kick was found.</summary>
+    /// <param name="isExcluded">True if a bound holds for every kick.</param>
+    private static AimStatus Unreached(bool isExcluded) => isExcluded ? AimStatus.OutOfReach : AimStatus.NotConverged;
 
     private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
     {
@@ -218,8 +236,8 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            // No kick was found: either the budget was used up, or the search covered all kicks.
-            solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
+            var bound = new EnergyBound(_context, request);
+            solution.Status = Unreached(bound.IsTooHigh || bound.IsTooFarAt(time));
         }
 
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
@@ -271,7 +289,7 @@ public sealed partial class Aimer
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
 
         // If no obstacle can block the kick, use the solver's own estimate.
-        if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
+        if (!measure && !_context.MayBlock && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Waypoint is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
@@ -305,7 +323,7 @@ public sealed partial class Aimer
 
         // Rolls, misses, and flat kicks at a target of at least the same height count as the low arc. Otherwise, the sign of d speed/d time determines the arc.
         TargetFrame frame = _context.Frame(request);
-        bool rolls = _context.StaysDown(in frame.From, velocity.Y);
+        bool rolls = _context.StaysDown(in frame.From, in velocity);
         bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;
         bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
         AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _general.ArcOf(request, in solution));

@@ -53,13 +53,7 @@ internal sealed class ArrivalTimes(Aimer aimer)
             }
         }
 
-        return _closest.Hits ? OutOfReach() : _aimer.NoArrival(request);
-    }
-
-    private AimResult OutOfReach()
-    {
-        AimResult closest = _aimer.Report(_request, in _closest.Kick, measure: true, passes: false);
-        return closest.Status == AimStatus.Hit ? Aimer.Failed(in closest, AimStatus.OutOfReach) : closest;
+        return _aimer.NoArrival(request, _closest.Hits ? _closest.Kick : null, speed);
     }
 
     /// <summary>Scans the times, shortest first.</summary>

@@ -94,6 +94,7 @@ public sealed class ArrivalAimTests
     [InlineData(",\"arrival\":{\"time\":1,\"speed\":3}", "aim.arrival.time")]
     [InlineData(",\"arrival\":{\"time\":-1}", "aim.arrival.time is -1; allowed: a finite number above 0")]
     [InlineData(",\"after\":\"wall\"", "aim.after is \"wall\"; allowed: a list of texts")]
+    [InlineData(",\"targetVelocity\":[0,0,3],\"through\":[10,2,1]", "aim.targetVelocity cannot be combined with aim.through")]
     [InlineData(",\"slowest\":true,\"method\":\"angle\"", "aim.method is \"angle\"; allowed: direct, with slowest, arrival or after")]
     public void What_excludes_each_other_is_refused(string more, string message)
     {

@@ -55,7 +55,7 @@ public sealed class VerdictTests
         AimRequest request = AimAnything.Requests(4, 66, 25)[24];
         AimResult result = new Aimer(scene).Find(request);
         AimCheck.Holds(request, in result, scene);
-        Assert.NotEqual(AimStatus.NotConverged, result.Status);
+        Assert.NotEqual(AimStatus.Hit, result.Status);
         Assert.InRange(result.Miss, 0, 0.16);
     }
 
@@ -166,7 +166,7 @@ public sealed class VerdictTests
         // Where the closest point is now early, now late on the way, the signed miss jumps over zero again and again.
         AimRequest request = AimAnything.Requests(seed: 1, scene, index + 1)[index];
         AimResult result = new Aimer(AimAnything.Scene(seed: 1, scene)).Find(request);
-        Assert.Equal(AimStatus.OutOfReach, result.Status);
+        Assert.Equal(AimStatus.NotConverged, result.Status);
         Assert.InRange(result.Miss, 1, double.PositiveInfinity);
         Assert.InRange(result.Simulations, 1, 600);
     }

@@ -19,7 +19,7 @@ public sealed class ArrivalTests
 
     /// <summary>Along the ground the ball is slower there, in flight it is faster: there is none in between.</summary>
     [Fact]
-    public void An_arrival_between_roll_and_flight_is_out_of_reach()
+    public void An_arrival_between_roll_and_flight_is_no_hit()
     {
         var request = new AimRequest { From = new Vector3d(0, Ground, 0), Target = new Vector3d(3, Ground, -36), Speed = 33 };
         var aimer = new Aimer();
@@ -32,7 +32,7 @@ public sealed class ArrivalTests
             Assert.True(flight.Status != AimStatus.Hit || Played(request, in flight) > 12.5, $"{time}: {flight}");
         }
 
-        Assert.Equal(AimStatus.OutOfReach, aimer.FindAtSpeed(request, 12).Status);
+        Assert.Equal(AimStatus.NotConverged, aimer.FindAtSpeed(request, 12).Status);
     }
 
     /// <summary>The fastest kick of a volley flies over a low target, and the arrival of a known kick is reached all the same.</summary>
@@ -56,12 +56,12 @@ public sealed class ArrivalTests
 
     /// <summary>Over the time of a lob the arrival falls and rises again: below the least there is none, at either arc above it.</summary>
     [Fact]
-    public void An_arrival_slower_than_the_slowest_is_out_of_reach()
+    public void An_arrival_slower_than_the_slowest_is_no_hit()
     {
         var request = new AimRequest { From = new Vector3d(0, Ground, 0), Target = new Vector3d(0, 1.5, -20), Speed = 35, MaximumElevationDegrees = 85 };
         var aimer = new Aimer();
         AimResult none = aimer.FindAtSpeed(request, 4);
-        Assert.Equal(AimStatus.OutOfReach, none.Status);
+        Assert.Equal(AimStatus.NotConverged, none.Status);
         double least = Played(request, in none);
         Assert.InRange(least, 4.5, 20);
         AimResult low = aimer.FindAtSpeed(request, least + 1);
@@ -70,7 +70,7 @@ public sealed class ArrivalTests
         Assert.True(low.Time < none.Time && high.Time > none.Time);
         Assert.Equal(least + 1, Played(request, in low), 1e-3);
         Assert.Equal(least + 1, Played(request, in high), 1e-3);
-        Assert.Equal(AimStatus.OutOfReach, aimer.FindAtSpeed(request, 34).Status);
+        Assert.Equal(AimStatus.OutOfReach, aimer.FindAtSpeed(request, 35).Status);
     }
 
     [Fact]

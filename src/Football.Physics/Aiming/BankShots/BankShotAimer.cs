@@ -57,7 +57,7 @@ public sealed class BankShotAimer
 
     /// <summary>Finds a kick that hits given objects before the target.</summary>
     /// <param name="request">
-    /// The request, without a waypoint: start, target, speed, spin, elevations, tolerance and time of the kick.
+    /// The request, without a waypoint, for a target at rest: start, target, speed, spin, elevations, tolerance and time of the kick.
     /// <see cref="AimRequest.MaximumIterations"/> limits the iterations from each of many starts.
     /// </param>
     /// <param name="after">The names of the objects to hit first, in order, such as "ground", "left post" or "crossbar"; at least one. If several
@@ -76,6 +76,11 @@ public sealed class BankShotAimer
         if (request.Waypoint is not null)
         {
             throw Check.Conflict("aim.waypoint", "aim.waypoint cannot be combined with aim.after. Leave one of them unset.");
+        }
+
+        if (request.TargetVelocity != Vector3d.Zero)
+        {
+            throw Check.Conflict("aim.targetVelocity", "aim.targetVelocity cannot be combined with aim.after. Leave one of them unset.");
         }
 
         // 1. From several guesses, solve the legs from contact to contact; then correct each kick for its miss. 2. If none hits, search over all directions.

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The library's solver for one target: Newton's method on the crossing of the target's plane, usually with one flight.</summary>
@@ -7,15 +9,16 @@ namespace FootballPhysics.Aiming;
 /// </remarks>
 internal sealed class DirectAim
 {
-    /// <summary>The error of the solver's own steps, in m; a smaller miss counts as zero, even if it exceeds the tolerance.</summary>
-    private const double StepError = 1e-4;
-
     /// <summary>The miss that counts as close, as a share of the distance, and the slope above which a target is steep.</summary>
     private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
 
     /// <summary>The relative accuracy of the speed of the slowest roll.</summary>
     private const double RollWidth = 1e-4;
+
+    /// <summary>The number of slower and slower rolls in wind or on a slope, and the difference of their speeds, as a logarithm.</summary>
+    private const int SlowerRolls = 16;
+    private const double SlowerRoll = 0.2;
 
     private readonly PlaneProblem _problem;
     private readonly PlaneNewton _newton;
@@ -31,6 +34,9 @@ internal sealed class DirectAim
         _newton = new PlaneNewton(_problem);
         _closest = new ClosestKick(context);
     }
+
+    /// <summary>True if all flights of the last search over the elevations pass below the target or end short of it.</summary>
+    public bool IsShort => _closest.IsShort;
 
     public AimSolution Find(AimRequest request) => Find(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin);
 
@@ -53,7 +59,7 @@ internal sealed class DirectAim
 
             // On bent paths, the steep kick may arrive first. The kick that arrives first is the low arc.
             Approach steeper = _closest.Find(_problem, AimArc.High);
-            return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
+            return steeper.Miss <= _problem.HitMiss && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
 
         // If no flights are left, return a kick straight at the target.
@@ -75,8 +81,13 @@ internal sealed class DirectAim
             return hit;
         }
 
+        if (!separates && _context.Shooting.CanRoll(request) && _general.Roll(request, speed, top, side, isThorough: true, out hit))
+        {
+            return hit;
+        }
+
         Approach found = _closest.Find(_problem, arc);
-        bool hits = found.Miss <= _problem.Tolerance;
+        bool hits = found.Miss <= _problem.HitMiss;
         if (!hits && IsDoubtful(in frame, found.Miss)
             && (separates ? _general.WithSpeed(request, speed, arc, top, side, out hit) : _general.From(request, speed, found.Kick, found.Time, out hit)))
         {
@@ -86,7 +97,7 @@ internal sealed class DirectAim
         if (separates && hits && IsBent(in frame))
         {
             Approach other = _closest.Find(_problem, arc == AimArc.Low ? AimArc.High : AimArc.Low);
-            bool isBetter = other.Miss <= _problem.Tolerance && (arc == AimArc.Low ? other.Time < found.Time : other.Time > found.Time);
+            bool isBetter = other.Miss <= _problem.HitMiss && (arc == AimArc.Low ? other.Time < found.Time : other.Time > found.Time);
             found = isBetter ? other : found;
         }
 
@@ -95,38 +106,65 @@ internal sealed class DirectAim
             in found,
             found.Miss <= request.Tolerance ? AimStatus.Hit
                 : frame.IsDegenerate ? AimStatus.Degenerate
-                : found.Miss < StepError || _context.IsSpent ? AimStatus.NotConverged
-                : AimStatus.OutOfReach);
+                : !hits && IsOutOfReach(request, in frame, in found) ? AimStatus.OutOfReach
+                : AimStatus.NotConverged);
     }
 
     /// <summary>Finds the slowest kick along the ground that reaches the target.</summary>
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
-        solution = default;
+        // 1. In still air over level ground, a faster roll goes farther. Otherwise wind or slope may take a slow ball to the target but not a fast
+        // one, so try slower and slower ones. 2. Bisect between the slowest that hits and the next one.
         double low = 0;
-        double high = fastest;
-        for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
+        double high = double.PositiveInfinity;
+        solution = default;
+        Narrow(request, fastest, ref low, ref high, ref solution);
+        for (int i = 1; i <= SlowerRolls && !_context.Turns(request.TargetVelocity) && !_context.IsHalfSpent; i++)
         {
-            // Bisect, starting with the fastest kick: if this kick stops short, no roll reaches the target.
-            bool hits = Rolls(request, speed, out _);
-            if (!hits && speed == fastest)
-            {
-                return false;
-            }
+            Narrow(request, fastest * Elementary.Exp(-SlowerRoll * i), ref low, ref high, ref solution);
+        }
 
-            (low, high) = hits ? (low, speed) : (speed, high);
+        while (high <= fastest && high - low > RollWidth * high && !_context.IsSpent)
+        {
+            Narrow(request, 0.5 * (low + high), ref low, ref high, ref solution);
         }
 
         // Kick slightly faster, so that the ball passes the target instead of stopping at it.
-        return Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out solution);
+        if (high <= fastest && Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out AimSolution safe))
+        {
+            solution = safe;
+        }
+
+        return high <= fastest;
     }
 
-    private bool Rolls(AimRequest request, double speed, out AimSolution solution)
+    /// <summary>Tries a roll, and narrows the range that ends at the slowest roll that hits.</summary>
+    private void Narrow(AimRequest request, double speed, ref double low, ref double high, ref AimSolution best)
     {
+        if (Rolls(request, speed, out AimSolution roll))
+        {
+            low = low < speed ? low : 0;
+            high = speed;
+            best = roll;
+        }
+        else
+        {
+            low = Math.Max(low, speed);
+        }
+    }
+
+    /// <summary>Finds the kick along the ground at a given speed that hits the target.</summary>
+    public bool Rolls(AimRequest request, double speed, out AimSolution solution)
+    {
+        if (!_context.Turns(request.TargetVelocity))
+        {
+            return _general.Roll(request, speed, request.TopSpin, request.SideSpin, isThorough: speed == request.Speed, out solution);
+        }
+
         _problem.Set(request, speed, request.TopSpin, request.SideSpin);
         Approach roll = _closest.Roll(_problem);
         solution = Solution(in roll, AimStatus.Hit);
-        return roll.Miss <= _problem.Tolerance;
+        return roll.Miss <= _problem.HitMiss;
     }
 
     private AimSolution Solution(in Approach found, AimStatus status) => new()
@@ -160,6 +198,10 @@ internal sealed class DirectAim
         };
         return true;
     }
+
+    /// <summary>True if a bound shows that no kick within the bounds hits: its energy, or the flights over all elevations.</summary>
+    private bool IsOutOfReach(AimRequest request, in TargetFrame frame, in Approach found) =>
+        new EnergyBound(_context, request).IsTooHigh || (found.Miss > request.Tolerance && !IsBent(in frame) && _closest.IsOutOfReach(in frame));
 
     /// <summary>True if a miss from the elevation search is inconclusive, because it is close or the paths bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>

@@ -61,6 +61,9 @@ internal sealed class PlaneProblem(AimContext context)
     /// <summary>The miss at the target at which the search ends, in m.</summary>
     public double Tolerance { get; private set; }
 
+    /// <summary>The miss of a flight over the ground that counts as a hit, in m.</summary>
+    public double HitMiss { get; private set; }
+
     /// <summary>The tolerance at the waypoint, in m.</summary>
     public double ThroughTolerance { get; private set; }
 
@@ -80,7 +83,8 @@ internal sealed class PlaneProblem(AimContext context)
         _targetVelocity = request.TargetVelocity;
         _frame = _context.Frame(request);
         Bounds = ElevationBounds.Of(request);
-        Tolerance = AimContext.Sharp(request.Tolerance);
+        HitMiss = AimContext.Sharp(request.Tolerance);
+        Tolerance = _context.Sharp(in _frame, request.Tolerance);
         _step = _context.Steps.HitWithin(Tolerance);
         _firstStep = _context.Steps.RehearsedWithin(Tolerance);
         _context.Planes.Aim(in _frame, in _targetVelocity);
@@ -192,9 +196,8 @@ internal sealed class PlaneProblem(AimContext context)
     public bool StaysClear(double[] x, double[] r)
     {
         // A kick that stays on the ground is a roll, which other code solves.
-        Elementary.SinCos(x[Elevation], out double sine, out _);
-        double lowest = Math.Min(_context.Planes.Lowest, _frame.Target.Y + (Time * _targetVelocity.Y) + r[TargetUp]);
-        return !_context.StaysDown(in _frame.From, Speed * sine) && lowest >= _context.Game.ContactHeight - 1e-9;
+        Vector3d end = _frame.Target + (Time * _targetVelocity) + (r[TargetLeft] * _frame.Left) + new Vector3d(0, r[TargetUp], 0);
+        return !_context.StaysDown(in _frame, KickOf(x), Speed) && Math.Min(_context.Planes.Lowest, _context.Clearance(in end)) >= -1e-9;
     }
 
     private CrossingJacobian Jacobian(in Kick kick, in PlaneCrossing crossing) =>

@@ -40,7 +40,7 @@ internal sealed class PlaneShooter : PieceObserver, IKickObserver
     /// <summary>The crossing of the waypoint's plane.</summary>
     public ref readonly PlaneCrossing Through => ref _through;
 
-    /// <summary>The lowest height at the end of any segment before the target's plane, in m.</summary>
+    /// <summary>The least height above the ground at the end of any segment before the target's plane, in m.</summary>
     public double Lowest { get; private set; }
 
     /// <summary>Prepares for flights to a target that may move.</summary>
@@ -139,7 +139,7 @@ internal sealed class PlaneShooter : PieceObserver, IKickObserver
     /// <returns>True if the ball falls below the floor.</returns>
     private bool GivesUp(in Vector3d position, in Vector3d velocity)
     {
-        Lowest = Math.Min(Lowest, position.Y);
+        Lowest = Math.Min(Lowest, _context.Clearance(in position));
         return position.Y < _floor && velocity.Y < 0;
     }
 }

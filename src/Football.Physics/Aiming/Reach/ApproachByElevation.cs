@@ -34,6 +34,12 @@ internal sealed class ApproachByElevation(AimContext context)
     /// <summary>The hit that was accepted as the result.</summary>
     public Approach Hit { get; private set; }
 
+    /// <summary>True if a kick passes above the target.</summary>
+    public bool AnyAbove { get; private set; }
+
+    /// <summary>The lower bounds of the miss that follow from the flights so far.</summary>
+    public ReachCover Cover { get; } = new();
+
     /// <summary>The speed of the kicks, in m/s.</summary>
     public double Speed { get; private set; }
 
@@ -50,7 +56,9 @@ internal sealed class ApproachByElevation(AimContext context)
         _targetVelocity = problem.Request.TargetVelocity;
         _kick = problem.Spins;
         Speed = problem.Speed;
-        Tolerance = problem.Tolerance;
+        Tolerance = problem.HitMiss;
+        AnyAbove = false;
+        Cover.Begin(Vector3d.Distance(_frame.From, in _frame.Target));
         Bounds = problem.Bounds;
         Best = new Approach { Kick = _kick, Miss = double.PositiveInfinity };
     }
@@ -194,6 +202,12 @@ internal sealed class ApproachByElevation(AimContext context)
         if (approach.Miss < Best.Miss)
         {
             Best = approach;
+        }
+
+        AnyAbove |= approach.Above;
+        if (Bounds.Contain(_kick.Elevation))
+        {
+            Cover.Add(_kick.Elevation, approach.Miss, (_frame.Target + approach.Gap - _frame.From).Length);
         }
 
         return approach;

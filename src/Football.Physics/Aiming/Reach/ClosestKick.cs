@@ -53,6 +53,17 @@ internal sealed class ClosestKick
         return _approaches.Best;
     }
 
+    /// <summary>True if all flights of the last search pass below the target or end short of it.</summary>
+    public bool IsShort => !_approaches.AnyAbove;
+
+    /// <summary>True if it is certain that no kick of the last search hits: in still air, after flights over all elevations.</summary>
+    public bool IsOutOfReach(in TargetFrame frame)
+    {
+        double best = _approaches.Best.Miss;
+        return _approaches.TurnWithAzimuth && _approaches.Bounds.Lowest <= _approaches.Bounds.Highest && best > ReachCover.Enough * frame.Distance
+            && _approaches.Cover.Excludes(_approaches);
+    }
+
     /// <summary>Returns the closest kick along the ground.</summary>
     public Approach Roll(PlaneProblem problem)
     {
@@ -93,11 +104,17 @@ internal sealed class RollingKick(AimContext context, ApproachByElevation approa
     public void Begin(PlaneProblem problem)
     {
         ElevationBounds bounds = problem.Bounds;
-        Elevation = bounds.Clamp(0);
+        Elevation = bounds.Clamp(_context.AlongGround(in problem.Frame.From, in problem.Frame.Forward));
         LowerBound = double.PositiveInfinity;
-        Elementary.SinCos(Elevation, out double sine, out _);
-        if (!_context.StaysDown(in problem.Frame.From, problem.Speed * sine))
+        if (!_context.StaysDown(in problem.Frame, Kick.Of(problem.Request, Elevation, 0), problem.Speed))
         {
+            return;
+        }
+
+        if (!_context.IsLevel)
+        {
+            // The slope of a kick along the ground depends on its direction, and a flight may begin at any elevation.
+            LowerBound = 0;
             return;
         }
 

@@ -40,6 +40,14 @@ internal sealed class GeneralAim
     /// <summary>The ratio of horizontal wind speed to kick speed above which the speed may have several local minima.</summary>
     private const double Drift = 1.25;
 
+    /// <summary>The time of a roll, relative to that at its initial speed.</summary>
+    private const double RollTime = 1.3;
+
+    /// <summary>The further starts of a roll: their number, the angle between their directions, in rad, and their time, relative to the first.</summary>
+    private const int RollStarts = 6;
+    private const double RollTurn = 0.5;
+    private const double LongRoll = 1.6;
+
     private readonly AimContext _context;
     private readonly ShootingProblem _problem;
     private readonly DirectionScan _scan;
@@ -92,6 +100,33 @@ internal sealed class GeneralAim
         _problem.Begin(request, speed, through: false);
         Put(in kick, speed, time);
         return _problem.Hit(_x, out solution);
+    }
+
+    /// <summary>Finds the kick along the ground at a given speed that hits the target.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="speed">The speed, in m/s.</param>
+    /// <param name="top">The topspin, in rad/s.</param>
+    /// <param name="side">The sidespin, in rad/s.</param>
+    /// <param name="isThorough">True to start from other directions too: wind or slope may carry a slow ball a long way.</param>
+    /// <param name="solution">The kick.</param>
+    /// <returns>True if a kick was found and confirmed by measurement.</returns>
+    public bool Roll(AimRequest request, double speed, double top, double side, bool isThorough, out AimSolution solution)
+    {
+        // Start from the time at the mean speed of a roll. If the closed form is too far off, go on with a measured Jacobian.
+        _problem.Begin(request, speed, through: false, rolls: true);
+        double time = RollTime * _problem.Way / speed;
+        solution = default;
+        bool found = FromModel(time, speed, top, side, ref solution) || _problem.Hit(_x, out solution);
+        for (int i = 0; i < RollStarts && isThorough && !found && !_context.IsHalfSpent; i++)
+        {
+            double turn = ((i / 2) + 1) * (i % 2 == 0 ? RollTurn : -RollTurn);
+            Model(Math.Min(LongRoll * time, AimContext.LongestFlight), top, side);
+            _x[ShootingProblem.Azimuth] += turn;
+            _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+            found = _problem.Hit(_x, out solution);
+        }
+
+        return found;
     }
 
     /// <summary>Finds the kick that reaches the target at a given time, in flight or along the ground, no faster than requested.</summary>

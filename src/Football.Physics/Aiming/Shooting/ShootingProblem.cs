@@ -58,6 +58,8 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     private double _speed;
     private double _step;
     private double _scanStep;
+    private double _closeness;
+    private ElevationBounds _bounds;
     private double _squared;
     private double _time;
     private double _waySquared;
@@ -111,7 +113,8 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         _speed = speed;
         _frame = _context.Frame(request);
         _through = AimContext.Raised(_context.Game, request.Waypoint.GetValueOrDefault());
-        double tolerance = Closeness(request);
+        _closeness = IsTimely ? AimContext.Sharp(request.Tolerance, TimelyMiss) : _context.Sharp(in _frame, request.Tolerance);
+        double tolerance = _closeness;
         double spinRate = Math.Sqrt(through
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
@@ -120,7 +123,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         bool ruled = IsRuledByAir = _context.IsRuledByAir(request.Speed, spinRate);
         _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
-        ElevationBounds bounds = ElevationBounds.Of(request);
+        ElevationBounds bounds = _bounds = ElevationBounds.Of(request);
 
         // Set the bounds of the unknowns. Hold the elevation for a roll, and the speed if the request contains it.
         Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
@@ -147,13 +150,11 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>True if the residuals are small enough for a hit, with a margin for the error of the steps.</summary>
     public bool IsHit(double[] r)
     {
-        double tolerance = Closeness(Request);
+        double tolerance = _closeness;
         double through = AimContext.Sharp(Request.WaypointTolerance, PlaneProblem.FineThrough);
         return (r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) <= tolerance * tolerance
             && (!_passesThrough || (r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5]) <= through * through);
     }
-
-    private double Closeness(AimRequest request) => IsTimely ? AimContext.Sharp(request.Tolerance, TimelyMiss) : AimContext.Sharp(request.Tolerance);
 
     /// <summary>Returns the kick for the unknowns.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
@@ -161,6 +162,12 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>Simulates a kick and computes its residuals.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
+        if (_rolls)
+        {
+            // A kick along the ground has the slope of the ground in its direction.
+            x[Elevation] = AlongGround(x[Azimuth]);
+        }
+
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
         double way = _passesThrough ? x[Share] * time : 0;
@@ -185,11 +192,14 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>True if a ball that rolls along the ground can hit the target of a request at all.</summary>
     public bool CanRoll(AimRequest request)
     {
+        // On a slope, the elevation along the ground depends on the direction, so only the solver knows whether the bounds allow it.
         TargetFrame frame = _context.Frame(request);
-        Elementary.SinCos(ElevationBounds.Of(request).Clamp(0), out double sine, out _);
-        return _context.StaysDown(in frame.From, request.Speed * sine) && Math.Abs(frame.Target.Y - _context.Game.ContactHeight) < request.Tolerance
-            && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
+        Kick flat = Kick.Of(request, ElevationBounds.Of(request).Clamp(0), 0);
+        bool starts = _context.IsLevel ? _context.StaysDown(in frame, in flat, request.Speed) : _context.IsOnGround(in frame.From, request.Tolerance);
+        return starts && _context.IsOnGround(in frame.Target, request.Tolerance) && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
     }
+
+    private double AlongGround(double azimuth) => _bounds.Clamp(_context.AlongGround(in _frame.From, KickVectors.Flat(azimuth, in _frame.Forward)));
 
     /// <summary>Sets the unknowns to the closed-form kick that reaches the target at a given time, and computes the Jacobian.</summary>
     /// <returns>The velocity before clamping, in m/s.</returns>

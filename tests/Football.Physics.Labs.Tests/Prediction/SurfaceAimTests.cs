@@ -1,0 +1,64 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Labs.Tests.Predictors;
+
+/// <summary>Kicks that were flown on slopes, hills and in wind are found again, and none of them is called out of reach.</summary>
+public sealed class SurfaceAimTests
+{
+    private const int Kicks = 60;
+    private static readonly string[] s_searches = ["Find", "FindSlowest", "FindAtSpeed", "FindAtTime", "not the slowest"];
+
+    public static TheoryData<string, double> Conditions()
+    {
+        var rows = new TheoryData<string, double>();
+        foreach (SurfaceCondition condition in SurfaceCondition.All)
+        {
+            rows.Add(condition.Name, condition.Wind);
+        }
+
+        return rows;
+    }
+
+    [Theory]
+    [MemberData(nameof(Conditions))]
+    public void A_known_kick_is_never_out_of_reach_and_a_hit_hits(string ground, double wind)
+    {
+        SurfaceCondition condition = SurfaceCondition.All.Single(one => one.Name == ground && one.Wind == wind);
+        LabCounts counts = SurfaceKickCounts.Of(seed: 74, Kicks, condition);
+        string examples = string.Join("\n", counts.Examples);
+        Assert.True(counts["kicks"] == Kicks && counts["false out of reach"] == 0 && counts["false hits"] == 0, examples);
+        Assert.True(s_searches.Sum(search => counts[search]) <= 2, examples);
+    }
+
+    [Fact]
+    public void A_target_well_beyond_the_reach_is_nearly_always_told()
+    {
+        LabCounts counts = FarTargetCounts.Of(seed: 74, 80);
+        Assert.InRange(counts["targets"], 20, 80);
+        Assert.Equal(0, counts["hits"]);
+        Assert.True(counts["out of reach"] >= 0.9 * counts["targets"], string.Join("\n", counts.Examples));
+    }
+
+    [Theory]
+    [InlineData(0.1)]
+    [InlineData(-0.1)]
+    public void A_ball_is_passed_along_a_slope_to_a_target_on_it(double rise)
+    {
+        var simulator = new Simulator(new Scene { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, rise).Normalized() } });
+        Vector3d target = simulator.Launch(new Vector3d(1, -5, -12), Vector3d.Zero, Vector3d.Zero).Position;
+        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = target, Speed = 16, MinimumElevationDegrees = -10, MaximumElevationDegrees = 7 };
+        AimResult slowest = new Aimer(simulator).FindSlowest(request);
+        Assert.Equal((AimStatus.Hit, true), (slowest.Status, slowest.Rolls));
+        Assert.InRange(new ArrivalJudge(simulator).Of(request, in slowest).Miss, 0, 0.0101);
+    }
+
+    [Fact]
+    public void A_moving_target_with_a_waypoint_is_refused()
+    {
+        var request = new AimRequest { Target = new Vector3d(0, 1, -20), Waypoint = new Vector3d(1, 2, -10), TargetVelocity = new Vector3d(1, 0, 0) };
+        const string Message = "aim.targetVelocity cannot be combined with aim.waypoint.";
+        Assert.Contains(Message, Assert.Throws<ArgumentOutOfRangeException>(() => new Aimer().Find(request)).Message, StringComparison.Ordinal);
+        Assert.Contains("aim.targetVelocity", Assert.Throws<ArgumentOutOfRangeException>(() => new BankShotAimer().Find(request with { Waypoint = null }, "ground")).Message, StringComparison.Ordinal);
+    }
+}
