@@ -106,7 +106,7 @@ enum {
     FP_AIM_HIT = 0,
     /** No kick within the bounds hits the target; the result is the closest kick found. */
     FP_AIM_OUT_OF_REACH = 1,
-    /** The search reached MaximumIterations, or the remaining miss is smaller than the integration error of the search. */
+    /** The search found no kick that hits, but nothing excludes one; the result is the closest kick found. */
     FP_AIM_NOT_CONVERGED = 2,
     /** The request has no direction: the target is at the ball's position. */
     FP_AIM_DEGENERATE = 3,

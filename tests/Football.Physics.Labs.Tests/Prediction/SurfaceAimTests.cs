@@ -6,7 +6,11 @@ namespace FootballPhysics.Labs.Tests.Predictors;
 /// <summary>Kicks that were flown on slopes, hills and in wind are found again, and none of them is called out of reach.</summary>
 public sealed class SurfaceAimTests
 {
-    private const int Kicks = 60;
+    private const int Kicks = 40;
+
+    /// <summary>A roll over hills takes long, because each of its steps asks for the shape of the ground.</summary>
+    private const int KicksOnHills = 10;
+
     private static readonly string[] s_searches = ["Find", "FindSlowest", "FindAtSpeed", "FindAtTime", "not the slowest"];
 
     public static TheoryData<string, double> Conditions()
@@ -25,10 +29,11 @@ public sealed class SurfaceAimTests
     public void A_known_kick_is_never_out_of_reach_and_a_hit_hits(string ground, double wind)
     {
         SurfaceCondition condition = SurfaceCondition.All.Single(one => one.Name == ground && one.Wind == wind);
-        LabCounts counts = SurfaceKickCounts.Of(seed: 74, Kicks, condition);
+        int kicks = condition.IsUneven ? KicksOnHills : Kicks;
+        LabCounts counts = SurfaceKickCounts.Of(seed: 74, kicks, condition);
         string examples = string.Join("\n", counts.Examples);
-        Assert.True(counts["kicks"] == Kicks && counts["false out of reach"] == 0 && counts["false hits"] == 0, examples);
-        Assert.True(s_searches.Sum(search => counts[search]) <= 2, examples);
+        Assert.True(counts["kicks"] == kicks && counts["false out of reach"] == 0 && counts["false hits"] == 0, examples);
+        Assert.True(s_searches.Sum(search => counts[search]) <= (wind > 0 ? 3 : 1), examples);
     }
 
     [Fact]

@@ -9,6 +9,9 @@ namespace FootballPhysics.Aiming;
 /// </remarks>
 internal sealed class DirectAim
 {
+    /// <summary>The error of the solver's own steps, in m; a miss that exceeds the tolerance by less excludes nothing.</summary>
+    private const double StepError = 1e-4;
+
     /// <summary>The miss that counts as close, as a share of the distance, and the slope above which a target is steep.</summary>
     private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
@@ -201,7 +204,7 @@ internal sealed class DirectAim
 
     /// <summary>True if a bound shows that no kick within the bounds hits: its energy, or the flights over all elevations.</summary>
     private bool IsOutOfReach(AimRequest request, in TargetFrame frame, in Approach found) =>
-        new EnergyBound(_context, request).IsTooHigh || (found.Miss > request.Tolerance && !IsBent(in frame) && _closest.IsOutOfReach(in frame));
+        new EnergyBound(_context, request).IsTooHigh || (found.Miss > request.Tolerance + StepError && !IsBent(in frame) && _closest.IsOutOfReach());
 
     /// <summary>True if a miss from the elevation search is inconclusive, because it is close or the paths bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>

@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Aiming;
 
 /// <summary>The boundary-value problem of a kick at a given speed: elevation and azimuth for a target, plus spins for a waypoint.</summary>

@@ -56,13 +56,10 @@ internal sealed class ClosestKick
     /// <summary>True if all flights of the last search pass below the target or end short of it.</summary>
     public bool IsShort => !_approaches.AnyAbove;
 
-    /// <summary>True if it is certain that no kick of the last search hits: in still air, after flights over all elevations.</summary>
-    public bool IsOutOfReach(in TargetFrame frame)
-    {
-        double best = _approaches.Best.Miss;
-        return _approaches.TurnWithAzimuth && _approaches.Bounds.Lowest <= _approaches.Bounds.Highest && best > ReachCover.Enough * frame.Distance
-            && _approaches.Cover.Excludes(_approaches);
-    }
+    /// <summary>True if it is certain that no flight of the last search hits: in still air, after flights over all elevations.</summary>
+    /// <remarks>The search has simulated the kick along the ground, or its height alone keeps it farther away than the closest kick.</remarks>
+    public bool IsOutOfReach() =>
+        _approaches.TurnWithAzimuth && (_approaches.Bounds.Lowest > _approaches.Bounds.Highest || _approaches.Cover.Excludes(_approaches));
 
     /// <summary>Returns the closest kick along the ground.</summary>
     public Approach Roll(PlaneProblem problem)

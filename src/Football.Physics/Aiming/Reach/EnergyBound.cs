@@ -1,4 +1,3 @@
-using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Aiming;

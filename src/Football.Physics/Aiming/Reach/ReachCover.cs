@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Aiming;
 
 /// <summary>Proves that no kick of a given speed hits: it covers all elevations with lower bounds of the miss.</summary>
@@ -15,7 +13,7 @@ internal sealed class ReachCover
     private const double Curvature = 4.5;
 
     /// <summary>The lower bound that suffices, as a share of the distance; the jump in the drag law shifts a flight by less.</summary>
-    public const double Enough = 0.005;
+    private const double Enough = 0.005;
 
     private const int MostAdded = 12;
     private const int Most = 96;
