@@ -12,14 +12,14 @@ public readonly record struct ImpactSound
     /// <summary>The peak force of the loudest sound, in N: 3000 (guess; measured kicks reach 2.9 kN).</summary>
     public const double LoudestForce = 3000;
 
-    /// <summary>The product of friction impulse and slip of the strongest brush, in J: 20 (guess).</summary>
-    public const double StrongestBrush = 20;
+    /// <summary>The product of friction impulse and slip of the strongest brush, in J: 50 (guess).</summary>
+    public const double StrongestBrush = 50;
 
     /// <summary>The duration of a wave, in s: 0.25 (guess).</summary>
     public const double Duration = 0.25;
 
-    /// <summary>The loudness below which a sound is not worth playing (guess: 48 dB below the loudest).</summary>
-    private const double Inaudible = 0.004;
+    /// <summary>The loudness below which a sound is not worth playing (guess: 40 dB below the loudest).</summary>
+    private const double Inaudible = 0.01;
 
     /// <summary>The decay times of the tone and of the brush, in contact times (guess).</summary>
     private const double ToneDecay = 4.0;
@@ -57,7 +57,7 @@ public readonly record struct ImpactSound
     /// <summary>The amplitude of the noise of friction, 0 … 1, in proportion to the product of friction impulse and slip.</summary>
     public double Brush { get; }
 
-    /// <summary>True if the sound is loud enough to be played: tone or brush is above −48 dB.</summary>
+    /// <summary>True if the sound is loud enough to be played: tone or brush is above −40 dB.</summary>
     public bool IsAudible => Math.Max(Loudness, Brush) >= Inaudible;
 
     /// <summary>Returns the number of samples of a wave.</summary>

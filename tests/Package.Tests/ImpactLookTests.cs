@@ -38,8 +38,8 @@ public sealed class ImpactLookTests : IDisposable
         var sound = new ImpactSound(in impact);
         Assert.Equal(impact.PeakForce / 3000, sound.Loudness, 15);
         Assert.Equal(1 / 0.01069, sound.Brightness, 0.1);
-        Assert.Equal(impact.TangentialImpulse * impact.SlipBefore / 20, sound.Brush, 15);
-        Assert.True(sound.Brush > 0);
+        Assert.Equal(impact.TangentialImpulse * impact.SlipBefore / 50, sound.Brush, 15);
+        Assert.InRange(sound.Brush, 0.1, 0.9);
         Assert.True(sound.IsAudible);
         Assert.Equal(BallEventKind.Impact, happened.Kind);
 
@@ -114,13 +114,14 @@ public sealed class ImpactLookTests : IDisposable
         FootballBall plain = UnityAsset.Load("Prefabs/Football.prefab")["Football"].GetComponent<FootballBall>();
         plain.GetComponent<FootballSkin>().Squash = false;
         plain.GetComponent<FootballSound>().Volume = 0;
-        var heard = new List<float[]>();
+        List<(float[] Samples, int Rate, float Volume)> played = ball.GetComponent<AudioSource>().Played;
+        int heard = 0;
         ball.Impact += (_, happened) =>
         {
-            float[] wave = Wave(happened.Outputs);
             if (new ImpactSound(happened.Outputs).IsAudible)
             {
-                heard.Add(wave);
+                heard++;
+                Assert.Equal(Wave(happened.Outputs), played[^1].Samples);
             }
         };
         Mesh mesh = ball.GetComponent<MeshFilter>().sharedMesh!;
@@ -141,9 +142,8 @@ public sealed class ImpactLookTests : IDisposable
         Assert.InRange(flattest, 0.6f, 0.9f);
         Assert.Equal(1, Radii(mesh).Min() / round, 1e-5f);
         Assert.Equal(1, Radii(plain.GetComponent<MeshFilter>().sharedMesh!).Min() / round, 1e-5f);
-        List<(float[] Samples, int Rate, float Volume)> played = ball.GetComponent<AudioSource>().Played;
-        Assert.True(heard.Count > 2);
-        Assert.Equal(heard, played.Select(sound => sound.Samples));
+        Assert.True(heard > 2);
+        Assert.Equal(heard, played.Count);
         Assert.All(played, sound => Assert.Equal((Rate, 1f), (sound.Rate, sound.Volume)));
         Assert.Empty(plain.GetComponent<AudioSource>().Played);
         Assert.Empty(Debug.Warned);

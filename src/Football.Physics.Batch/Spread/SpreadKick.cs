@@ -10,6 +10,11 @@ internal readonly struct SpreadKick
     private readonly Vector3d _direction;
     private readonly Vector3d _left;
 
+    public SpreadKick(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+        : this(in position, in velocity, in spin, Quaterniond.Identity)
+    {
+    }
+
     public SpreadKick(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
     {
         Position = position;

@@ -163,7 +163,8 @@ def goal_chance(
     keeper: the goalkeeper: :class:`Players` with one player; default none.
     spread: how the kicks vary: ``speedPercent``, ``elevationDegrees``, ``azimuthDegrees``, ``spinPercent``, and their correlations.
     progress: a function that receives the progress, 0 to 1, about 20 times per second; default none. An exception that it raises cancels the call, as Ctrl-C does.
-    request: ``goal``, the index of the goal; ``kicks``, the number of kicks to simulate, at 2 to 6 microseconds each; ``seed``; ``alwaysSimulate``.
+    request: ``goal``, the index of the goal; ``kicks``, the number of kicks to simulate, at 2 to 6 microseconds each; ``seed``; ``alwaysSimulate``;
+    ``orientation``, (x, y, z, w) of the ball, for the knuckle force.
     """
     members = {"position": _vector(position, "position"), "velocity": _vector(velocity, "velocity"), "spin": _vector(spin, "spin"), **request}
     if keeper is not None:

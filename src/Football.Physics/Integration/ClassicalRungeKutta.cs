@@ -38,9 +38,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         Unsafe.SkipInit(out step);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
-        double sumX = ax;
-        double sumY = ay;
-        double sumZ = az;
+        (double sumX, double sumY, double sumZ) = (ax, ay, az);
         double sumB = b;
         double sumS = s;
         double startS = s;
@@ -48,10 +46,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3)
         double along = 0.5 * h;
         double sixth = h / 6.0;
-        double vx = ux;
-        double vy = uy;
-        double vz = uz;
-        double vw = w;
+        (double vx, double vy, double vz, double vw) = (ux, uy, uz, w);
         Unsafe.SkipInit(out SeamAxes turned);
         ref readonly SeamAxes stageSeams = ref seams;
         for (int stage = 0; stage < 3; stage++)

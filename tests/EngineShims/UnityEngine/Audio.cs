@@ -9,6 +9,7 @@ namespace UnityEngine
         {
             this.samples = samples;
             this.frequency = frequency;
+            Data = new float[samples];
         }
 
         public int samples { get; }
@@ -16,7 +17,7 @@ namespace UnityEngine
         public int frequency { get; }
 
         /// <summary>What was set last.</summary>
-        public float[] Data { get; private set; } = Array.Empty<float>();
+        public float[] Data { get; }
 
         public static AudioClip Create(string name, int lengthSamples, int channels, int frequency, bool stream) =>
             channels == 1 && !stream ? new AudioClip(lengthSamples, frequency) { name = name } : throw new NotSupportedException();
@@ -28,15 +29,15 @@ namespace UnityEngine
                 throw new ArgumentException("The clip is shorter.", nameof(data));
             }
 
-            Data = (float[])data.Clone();
+            data.CopyTo(Data, 0);
             return true;
         }
     }
 
     public sealed class AudioSource : Behaviour
     {
-        /// <summary>What was played, in order: the samples of each clip and its volume.</summary>
-        public List<(float[] Samples, int Rate, float Volume)> Played { get; } = new List<(float[] Samples, int Rate, float Volume)>();
+        /// <summary>What was played, in order: the clip's samples, which later sounds may replace, and its volume.</summary>
+        public List<(float[] Samples, int Rate, float Volume)> Played { get; } = new List<(float[] Samples, int Rate, float Volume)>(1024);
 
         public void PlayOneShot(AudioClip clip, float volumeScale) => Played.Add((clip.Data, clip.frequency, volumeScale));
     }

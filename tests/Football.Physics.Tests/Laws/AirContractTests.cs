@@ -45,7 +45,7 @@ public sealed class AirContractTests
         {
             Assert.False(air.HasField || air.HasSide);
             Assert.Equal(Vector3d.Zero, air.WindAt(1, 2, 3, 4));
-            Assert.Equal(Vector3d.Zero, air.Side(default, 20, 1, 0, Math.Sqrt(401), Vector3d.Up, 360_000, 5, 0.1));
+            Assert.Equal(Vector3d.Zero, air.Side(default, 20, 1, 0, 1.0 / 401, Math.Sqrt(401), 0, 360_000, 5));
         }
     }
 
@@ -62,7 +62,7 @@ public sealed class AirContractTests
                 }
 
                 double squared = speed * speed;
-                air.Factors(squared, spin, Across * squared, DragBranch.Spinning, out double drag, out double lift, out double decay);
+                air.Factors(squared, spin, Across * squared, DragBranch.Spinning, out double drag, out double lift, out double decay, out _);
                 bool spins = air.FactorsPerSpin(squared, spin * spin, Across * squared * spin * spin, DragBranch.Spinning, out double d, out double l, out double q);
                 Assert.Equal(spin > 1e-100, spins);
                 Assert.Equal(drag, d, 1e-9 * Math.Max(1, drag));
@@ -116,7 +116,7 @@ public sealed class AirContractTests
                 double h = most * random.NextDouble();
                 if (air.Covers(speedSquared, spin, h))
                 {
-                    air.Factors(speedSquared, spin, speedSquared, DragBranch.Unknown, out double drag, out double lift, out double decay);
+                    air.Factors(speedSquared, spin, speedSquared, DragBranch.Unknown, out double drag, out double lift, out double decay, out _);
                     Assert.InRange(h * (drag + lift + (decay / spin) + limit.Bound.Constant), 0, 0.5);
                     whole++;
                 }

@@ -241,9 +241,17 @@ public sealed class KnuckleForceTests
         var force = KnuckleForce.Of(Seeded(3))!;
         BallState start = new Simulator(Seeded(3)).Launch(new Vector3d(0, 1, 0), u, axis, s_turned);
         force.Begin(in start, out SeamAxes seams);
-        Vector3d within = force.Acceleration(in seams, u.X, u.Y, u.Z, u.Length, in axis, 0, 4, angle);
+        KnuckleForce.Turn(in seams, in axis, angle, out SeamAxes turned);
+        double squared = u.LengthSquared;
+        Vector3d within = force.Acceleration(in turned, u.X, u.Y, u.Z, 1 / squared, u.Length, force.ShareAt(squared), 0, 4);
         Vector3d after = force.Acceleration(in u, Vector3d.Zero, 4, (Quaterniond.FromAxisAngle(in axis, angle) * s_turned).Normalized());
         Assert.InRange(Vector3d.Distance(within, after), 0, 3e-14 * after.Length);
+
+        // With the orientation at the end of twice the angle, by the same sine.
+        KnuckleForce.Turn(in seams, in start, angle, out SeamAxes middle, out Quaterniond end);
+        Assert.Equal(within, force.Acceleration(in middle, u.X, u.Y, u.Z, 1 / squared, u.Length, force.ShareAt(squared), 0, 4));
+        Quaterniond expected = (Quaterniond.FromAxisAngle(start.SpinAxis, 2 * angle) * start.Orientation).Normalized();
+        Assert.InRange(Math.Abs(end.X - expected.X) + Math.Abs(end.Y - expected.Y) + Math.Abs(end.Z - expected.Z) + Math.Abs(end.W - expected.W), 0, 1e-14);
     }
 
     private static Scene Seeded(long seed) => Scene.Measured with { Forces = ForceSet.Measured with { KnuckleSeed = seed } };

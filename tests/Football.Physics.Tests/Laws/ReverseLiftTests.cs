@@ -35,7 +35,7 @@ public sealed class ReverseLiftTests
             {
                 var table = new FieldAir<MeasuredLaw>(scene, SceneAir.Of(scene));
                 double across = 0.8 * speed * speed;
-                table.Factors(speed * speed, spin, across, DragBranch.Unknown, out _, out double lift, out _);
+                table.Factors(speed * speed, spin, across, DragBranch.Unknown, out _, out double lift, out _, out _);
                 AirLaws.Of(scene).Factors(speed * speed, spin, across, DragBranch.Unknown, out _, out double byFunctions, out _);
                 table.FactorsPerSpin(speed * speed, spin * spin, spin * spin * across, DragBranch.Unknown, out _, out double perSpin, out _);
                 var flow = new AirFlow { Speed = speed, SpeedSquared = speed * speed, SpinRate = spin, AcrossSquared = across };

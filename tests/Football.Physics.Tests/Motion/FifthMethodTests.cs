@@ -80,13 +80,19 @@ public sealed class FifthMethodTests
             Vector3d n = motion.Axis;
             double w = motion.SpinRate;
             FlightRates.At(
-                ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, w, out double ax, out double ay, out double az, out double b, out double s);
+                ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, w, out double ax, out double ay, out double az, out double b, out double s);
             var first = new Vector3d(ax, ay, az);
             Vector3d next = u + (h * first);
             Vector3d way = h * (u + wind);
             double nextW = w + (h * b);
+            SeamAxes last = seams;
+            if (air.HasSide)
+            {
+                air.Turn(in seams, in motion.Axis, h * w, out last);
+            }
+
             FlightRates.At(
-                ref air, in start, in seams, branch, upward, h, way.X, way.Y, way.Z, h * s, h * w, n.X, n.Y, n.Z, next.X, next.Y, next.Z, nextW,
+                ref air, in start, in last, branch, upward, h, way.X, way.Y, way.Z, h * s, n.X, n.Y, n.Z, next.X, next.Y, next.Z, nextW,
                 out ax, out ay, out az, out double c, out double t);
             System.Runtime.CompilerServices.Unsafe.SkipInit(out step);
             step.StartAcceleration = first;

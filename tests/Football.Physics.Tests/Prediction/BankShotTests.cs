@@ -54,7 +54,7 @@ public sealed class BankShotTests
     /// <summary>The force of the seams depends on the orientation, which a leg after an impact takes from the leg before.</summary>
     [Theory]
     [InlineData(20, 60, 40, "ground")]
-    [InlineData(20, 70, 30, "wall")]
+    [InlineData(20, 70, 40, "wall")]
     [InlineData(20, 70, 60, "wall,ground")]
     [InlineData(-12, 12, 60, "crossbar")]
     public void With_seams_they_are_found_in_as_few_simulations(double least, double most, int simulations, string things)

@@ -25,6 +25,8 @@ namespace FootballPhysics.Unity
 
         private void OnEnable()
         {
+            // Make room now, so that no step allocates.
+            Prepare(AudioSettings.outputSampleRate);
             GetComponent<FootballBall>().Impact += Play;
         }
 
@@ -54,22 +56,28 @@ namespace FootballPhysics.Unity
 
             // Use the clips in turn: the oldest one has ended.
             int rate = AudioSettings.outputSampleRate;
-            int count = ImpactSound.SamplesAt(rate);
-            if (_samples == null || _samples.Length != count)
-            {
-                OnDestroy();
-                _samples = new float[count];
-                for (int i = 0; i < Voices; i++)
-                {
-                    _clips[i] = AudioClip.Create("football impact", count, 1, rate, false);
-                }
-            }
-
+            Prepare(rate);
             Last.Write(_samples, rate);
             AudioClip clip = _clips[_next];
             _next = (_next + 1) % Voices;
             clip.SetData(_samples, 0);
             GetComponent<AudioSource>().PlayOneShot(clip, volume);
+        }
+
+        private void Prepare(int rate)
+        {
+            int count = ImpactSound.SamplesAt(rate);
+            if (_samples != null && _samples.Length == count)
+            {
+                return;
+            }
+
+            OnDestroy();
+            _samples = new float[count];
+            for (int i = 0; i < Voices; i++)
+            {
+                _clips[i] = AudioClip.Create("football impact", count, 1, rate, false);
+            }
         }
     }
 }
