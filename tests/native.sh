@@ -33,7 +33,7 @@ quietly() {
 source tests/artefacts.sh
 # Only the samples are there, and the artefacts: no sources of the library.
 mkdir -p "$work/clone/out/wheel"
-git ls-files -z -co --exclude-standard -- samples | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | xargs -0 cp --parents -t "$work/clone"
+git ls-files -z -co --exclude-standard -- samples | while IFS= read -r -d '' file; do [[ ! -e $file ]] || printf '%s\0' "$file"; done | xargs -0 cp --parents -t "$work/clone"
 page() { (cd "$work/clone" && "$root/tests/blocks.py" run "$1") > "$log" 2>&1 || fail "$1"; }
 
 # --- the library and the sample

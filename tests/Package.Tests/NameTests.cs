@@ -14,7 +14,7 @@ public sealed partial class NameTests
     private static readonly HashSet<string> s_foreign =
     [
         // .NET and its tools
-        "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary", "VersionPrefix", "ProjectUrl",
+        "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary", "VersionPrefix", "ProjectUrl", "PackageValidationBaselineVersion",
         // Unreal, Rust, Python, JavaScript
         "ThirdParty", "PublicIncludePaths", "PublicDelayLoadDLLs", "football_physics.dll", "FPlatformProcess", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
         // kloppy
