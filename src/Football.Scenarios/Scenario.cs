@@ -92,7 +92,7 @@ public sealed record Scenario
     /// <summary>Reads the members of a scenario from an input that may have others. Call <see cref="InputFields.Check"/> afterwards.</summary>
     public static Scenario Take(InputObject root)
     {
-        Scene scene = SceneInput.Scene(root);
+        Scene scene = SceneInput.Scene(root) with { Bodies = WorldInput.Bodies(root) };
         bool several = root.Has("balls");
         IReadOnlyList<BallLaunch> balls = several ? BallLaunch.All(root, scene.Ball) : [];
         InputObject launch = root.Object("launch");

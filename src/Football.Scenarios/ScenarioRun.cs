@@ -20,6 +20,7 @@ public static class ScenarioRun
         }
 
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
+        (KinematicBody Body, BodyMotion From)[] moves = scenario.BeforeStep is null && scenario.Scene.Bodies is { } bodies ? [.. bodies.Select(body => (body, BodyMotion.Of(body)))] : [];
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation ?? simulator.LaunchOrientation);
         var highest = new HighestPoint(state.Position.Y);
         var log = new StepLog(mostEvents: MostEvents) { Observer = highest };
@@ -32,6 +33,12 @@ public static class ScenarioRun
             scenario.BeforeStep?.Invoke(at);
         };
         bool ended = simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, afterStep);
+
+        // The ball pushes bodies that have a mass: put them back, so that a second run is the same.
+        foreach ((KinematicBody body, BodyMotion from) in moves)
+        {
+            from.ApplyTo(body);
+        }
 
         Moment final = Final(scenario, in state, log.Events, ended);
         if (!ended)
@@ -168,6 +175,21 @@ public static class ScenarioRun
             && item.VelocityBefore.IsFinite && item.SpinBefore.IsFinite)
         && (outcome.Samples?.All(sample => sample.IsFinite) ?? true)
         && outcome.BallSamples.All(samples => samples.All(sample => sample.IsFinite));
+
+    /// <summary>The motion of a body of the scene.</summary>
+    private readonly record struct BodyMotion(Vector3d Position, Quaterniond Orientation, Vector3d Velocity, Vector3d Spin, double Time, bool IsWithdrawn)
+    {
+        public static BodyMotion Of(KinematicBody body) => new(body.Position, body.Orientation, body.Velocity, body.Spin, body.Time, body.IsWithdrawn);
+
+        public void ApplyTo(KinematicBody body)
+        {
+            body.MoveTo(Position, Orientation, Velocity, Spin, Time);
+            if (IsWithdrawn)
+            {
+                body.Withdraw();
+            }
+        }
+    }
 
     /// <summary>The greatest height of the centre, located inside the step.</summary>
     private sealed class HighestPoint(double height) : PieceObserver

@@ -25,10 +25,38 @@ public static class WorldInput
             SurfaceMaterial surface = Surface(items[i], SurfaceMaterial.Boot);
             double mass = items[i].Limit("mass", double.PositiveInfinity);
             int layer = items[i].Whole("layer", 0);
-            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass, layer));
+            KinematicBody? body = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass, layer));
+            Move(items[i], body);
         }
 
         return bodies.Count > 0 ? bodies : null;
+    }
+
+    /// <summary>Reads the motion of a body at time 0, and sets it. Without these members, the body stays at the origin.</summary>
+    private static void Move(InputObject item, KinematicBody? body)
+    {
+        Vector3d position = item.Vector("position", Vector3d.Zero);
+        Vector3d velocity = item.Vector("velocity", Vector3d.Zero);
+        Vector3d spin = item.Vector("spin", Vector3d.Zero);
+        double[] r = item.Numbers("orientation", "[x, y, z, w]", [0, 0, 0, 1]);
+        bool isWithdrawn = item.Flag("withdrawn", false);
+        if (body is null)
+        {
+            return;
+        }
+
+        if (isWithdrawn)
+        {
+            body.Withdraw();
+        }
+        else if (item.Has("position") || item.Has("velocity") || item.Has("spin") || item.Has("orientation"))
+        {
+            item.Make(() =>
+            {
+                body.MoveTo(position, new Quaterniond(r[0], r[1], r[2], r[3]), velocity, spin, 0);
+                return body;
+            });
+        }
     }
 
     /// <summary>Reads the free-standing nets.</summary>

@@ -13,7 +13,8 @@ public sealed class BundleTests : IDisposable
 
     public static TheoryData<string> Scenes => [.. s_scenes.Keys];
 
-    private static readonly Dictionary<string, Func<Scene>> s_scenes = new()
+    /// <summary>Scenes that use each part that JSON can describe.</summary>
+    internal static readonly Dictionary<string, Func<Scene>> s_scenes = new()
     {
         ["default"] = () => Scene.Default,
         ["published"] = () => Scene.Published with { Forces = ForceSet.Regularized, Ground = Ground.Presets["publishedCourt"] },

@@ -7,6 +7,9 @@ namespace FootballPhysics.Game;
 /// <summary>Writes a scene as scenario JSON with exact numbers. It rejects parts that are code, and names them.</summary>
 internal sealed class SceneText
 {
+    /// <summary>The number of multiples of a rotation that are tried.</summary>
+    private const int MostScales = 1024;
+
     private readonly StringBuilder _text = new();
 
     /// <summary>True if the next member of the object, or item of the list, is the first.</summary>
@@ -19,19 +22,62 @@ internal sealed class SceneText
     /// <exception cref="InvalidOperationException">A part of the scene is code.</exception>
     public SceneText Add(Simulator simulator)
     {
-        SolverSettings settings = simulator.Settings;
+        Solver(simulator.Settings, null);
+        Object("scene", () => AddScene(simulator.Scene));
+        List("bodies", simulator.Scene.Bodies ?? Enumerable.Empty<KinematicBody>(), AddBody);
+        return this;
+    }
 
-        // The scenario format has no field for this setting.
+    /// <summary>Adds the settings as the member "solver".</summary>
+    /// <param name="settings">The settings.</param>
+    /// <param name="timeStep">The step, in s; null for none.</param>
+    /// <exception cref="InvalidOperationException">The format has no field for a setting.</exception>
+    public SceneText Solver(SolverSettings settings, double? timeStep)
+    {
         if (!settings.LocateJump)
         {
             throw Code("solver.locateJump");
         }
 
-        Object("solver", () => Word("integrator", settings.Integrator).Word("collisionTiming", settings.CollisionTiming)
-            .Number("collisionTolerance", settings.CollisionTolerance).Word("rollingTransition", settings.RollingTransition));
-        Scene scene = simulator.Scene;
-        Object("scene", () => AddScene(scene));
-        List("bodies", scene.Bodies ?? Enumerable.Empty<KinematicBody>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass).Layer(body.Layer));
+        Object("solver", () =>
+        {
+            Word("integrator", settings.Integrator).Word("collisionTiming", settings.CollisionTiming)
+                .Number("collisionTolerance", settings.CollisionTolerance).Word("rollingTransition", settings.RollingTransition);
+            _ = timeStep is { } step ? Number("timeStep", step) : this;
+        });
+        return this;
+    }
+
+    /// <summary>Adds the members of a scene, without its bodies.</summary>
+    /// <exception cref="InvalidOperationException">A part of the scene is code.</exception>
+    public SceneText Add(Scene scene)
+    {
+        AddScene(scene);
+        return this;
+    }
+
+    /// <summary>Adds the bodies of a scene as the member "bodies", with their motions; nothing if there are none.</summary>
+    /// <param name="bodies">The bodies.</param>
+    /// <param name="time">The time of the positions, in s; null for those of the last moves.</param>
+    public SceneText Bodies(KinematicBodies? bodies, double? time)
+    {
+        if (bodies is { Count: > 0 })
+        {
+            List("bodies", bodies, body =>
+            {
+                AddBody(body);
+                AddMotion(body, (time ?? body.Time) - body.Time);
+            });
+        }
+
+        return this;
+    }
+
+    /// <summary>Adds the motion of a ball as the member "launch".</summary>
+    public SceneText Launch(in BallState ball)
+    {
+        BallState at = ball;
+        Object("launch", () => Vector("position", at.Position).Vector("velocity", at.Velocity).Vector("spin", at.Spin).Rotation("orientation", at.Orientation));
         return this;
     }
 
@@ -81,6 +127,48 @@ internal sealed class SceneText
             List("zones", scene.Zones, zone => Text("name", zone.Name).Shape("zones", zone.Shape).Text("of", zone.Of == ZonePart.Ball ? "ball" : "centre").Layer(zone.Layer));
         }
     }
+
+    private void AddBody(KinematicBody body) =>
+        Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass).Layer(body.Layer);
+
+    /// <summary>Adds the motion of a body, unless it has never been moved.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="later">The time since its last move, in s.</param>
+    private void AddMotion(KinematicBody body, double later)
+    {
+        if (body.IsWithdrawn)
+        {
+            Flag("withdrawn", true);
+            return;
+        }
+
+        // A step extrapolates a body in the same way: its position moves along its velocity, and it turns about its position.
+        Vector3d position = body.Position + (later * body.Velocity);
+        Quaterniond turned = later == 0 ? body.Orientation : (Quaterniond.FromRotationVector(later * body.Spin) * body.Orientation).Normalized();
+        _ = position == Vector3d.Zero ? this : Vector("position", position);
+        _ = body.Velocity == Vector3d.Zero ? this : Vector("velocity", body.Velocity);
+        _ = body.Spin == Vector3d.Zero ? this : Vector("spin", body.Spin);
+        _ = turned.Equals(Quaterniond.Identity) ? this : Rotation("orientation", in turned);
+    }
+
+    /// <summary>Returns a rotation that has the bits of a unit rotation after a reader has normalized it.</summary>
+    /// <remarks>Normalizing a unit rotation again can change its last bits, so try multiples of it.</remarks>
+    private static Quaterniond Written(in Quaterniond unit, string list)
+    {
+        for (int i = 0; i < MostScales; i++)
+        {
+            double scale = 1.0 + (i / (double)MostScales);
+            var scaled = new Quaterniond(scale * unit.X, scale * unit.Y, scale * unit.Z, scale * unit.W);
+            if (scaled.Normalized().Equals(unit))
+            {
+                return scaled;
+            }
+        }
+
+        throw Code($"{list}.rotation ({unit})");
+    }
+
+    private SceneText Rotation(string name, in Quaterniond value) => Numbers(name, value.X, value.Y, value.Z, value.W);
 
     private void AddAir(Air air, Ground ground)
     {
@@ -165,7 +253,7 @@ internal sealed class SceneText
         SphereShape sphere => Text("shape", "sphere").Vector("center", sphere.Center).Number("radius", sphere.Radius),
         CapsuleShape capsule => Text("shape", "capsule").Vector("from", capsule.From).Vector("to", capsule.To).Number("radius", capsule.Radius),
         BoxShape box => Text("shape", "box").Vector("center", box.Center).Vector("halfSize", box.HalfSize)
-            .Numbers("rotation", box.Rotation.X, box.Rotation.Y, box.Rotation.Z, box.Rotation.W),
+            .Rotation("rotation", Written(box.Rotation, list)),
         _ => throw Code($"{list}.shape ({shape.GetType().Name})"),
     };
 

@@ -53,6 +53,9 @@ internal sealed record ReplayPicture
             shapes.AddRange(SceneShapes.Of(fresh).Where(shape => shape.Kind != SceneShapeKind.Obstacle || seen.Add(Text(shape))));
         }
 
+        // A picture shows bodies that code moves in its own way.
+        shapes.AddRange(played.Where(shot => shot.Scenario.BeforeStep is null).SelectMany(shot => shot.Scenario.Scene.Bodies ?? Enumerable.Empty<KinematicBody>())
+            .Where(body => !body.IsWithdrawn).Select(SceneShapes.Of).Where(shape => seen.Add(Text(shape))));
         ReplayShot[] shots = [.. played.SelectMany(shot => shot.Scenario.Balls.Count > 0
             ? Enumerable.Range(0, shot.Scenario.Balls.Count).Select(ball => Shot(FormattableString.Invariant($"{shot.Name}: ball {ball}"), shot.Scenario, shot.Outcome, ball))
             : [new ReplayShot(shot.Name, KickNumbers.Of(shot.Scenario).Text, new Track(shot.Scenario, shot.Outcome)) { Nets = Nets(shot.Scenario) }])];

@@ -24,6 +24,21 @@ internal static class SceneShapes
         .. scene.Goals.SelectMany(Nets),
     ];
 
+    /// <summary>Returns the shape of a body at its last position, with its velocity.</summary>
+    public static SceneShape Of(KinematicBody body)
+    {
+        Vector3d Placed(Vector3d own) => body.Position + body.Orientation.Rotate(own);
+        IShape shape = body.Shape switch
+        {
+            FootballPhysics.Shapes.CapsuleShape rod => new FootballPhysics.Shapes.CapsuleShape(Placed(rod.From), Placed(rod.To), rod.Radius),
+            FootballPhysics.Shapes.SphereShape ball => new FootballPhysics.Shapes.SphereShape(Placed(ball.Center), ball.Radius),
+            FootballPhysics.Shapes.BoxShape box => new FootballPhysics.Shapes.BoxShape(Placed(box.Center), box.HalfSize, body.Orientation * box.Rotation),
+            FootballPhysics.Shapes.PlaneShape plane => new FootballPhysics.Shapes.PlaneShape(Placed(plane.Point), body.Orientation.Rotate(plane.Normal)),
+            _ => body.Shape,
+        };
+        return Shape(new Obstacle { Name = body.Name, Shape = shape, Velocity = body.Velocity }, SceneShapeKind.Obstacle);
+    }
+
     /// <summary>Returns the height of the ground at a point, in m.</summary>
     public static double GroundAt(Ground ground, double x, double z)
     {
