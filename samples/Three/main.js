@@ -1,4 +1,4 @@
-// A free kick with three.js. The arrow keys aim, and the space bar kicks.
+// A free kick with three.js. The arrow keys aim, and the space bar kicks. F shows the forces, W makes pitch and ball wetter while the ball flies.
 import { load, loadWorker } from "football-physics";
 import { Game, placeWall, TIME_STEP } from "./game.js";
 import { Picture } from "./picture.js";
@@ -13,10 +13,10 @@ const file = await (await fetch("scene.json")).json(), game = new Game(physics, 
 const picture = new Picture(game, innerWidth, innerHeight);
 document.body.append(picture.renderer.domElement);
 const aim = { ...game.kicks[1] };
-let isMoving = false, last = 0, behind = 0, said = "";
+let showsForces = false, isMoving = false, last = 0, behind = 0, said = "";
 
 function describe() {
-  text.textContent = `${aim.speed.toFixed(1)} m/s, ${aim.elevation.toFixed(1)}° up, ${aim.azimuth.toFixed(1)}° to the left, spin ${aim.sideSpin} rad/s\n${said}`;
+  text.textContent = `${aim.speed.toFixed(1)} m/s, ${aim.elevation.toFixed(1)}° up, ${aim.azimuth.toFixed(1)}° to the left, spin ${aim.sideSpin} rad/s\n${said}${showsForces ? `\n${game.numbers()}` : ""}`;
 }
 
 function ready() {
@@ -73,6 +73,7 @@ function frame(now) {
     }
   }
   if (isMoving) describe();
+  picture.forces(showsForces ? game.ball.forces(TIME_STEP) : null);
   picture.draw();
 }
 
@@ -82,6 +83,16 @@ addEventListener("keydown", ({ key }) => {
     said = "";
     behind = 0;
     isMoving = true;
+    return;
+  }
+  if (key === "f") {
+    showsForces = !showsForces;
+    describe();
+    return;
+  }
+  if (key === "w") {
+    said = `Wetness ${game.wetter().toFixed(2)}.`;
+    describe();
     return;
   }
   const change = { ArrowLeft: ["azimuth", 0.5], ArrowRight: ["azimuth", -0.5], ArrowUp: ["elevation", 0.5], ArrowDown: ["elevation", -0.5] }[key];

@@ -1,6 +1,8 @@
 // Draws the pitch, goal, wall, ball and predicted path from the description of the scene.
 import * as THREE from "three";
 
+const FORCE_COLORS = { weight: 0xffffff, drag: 0xff4040, magnus: 0x40d040, knuckle: 0xff40ff, nets: 0x808080, load: 0x4060ff, friction: 0xffc020 };
+
 export class Picture {
   constructor(game, width, height) {
     this.game = game;
@@ -23,6 +25,12 @@ export class Picture {
     for (const shape of game.scene.shapes) this.shape(shape);
     this.wall = game.wall.map(() => this.add(new THREE.CapsuleGeometry(0.25, 1.3, 8, 16), 0xd7263d));
     this.ball = this.add(new THREE.SphereGeometry(game.scene.radius, 32, 20), 0xffffff, ballTexture());
+    this.arrows = Object.entries(FORCE_COLORS).map(([name, color]) => {
+      const arrow = new THREE.ArrowHelper(new THREE.Vector3(0, 1, 0), new THREE.Vector3(), 1, color, 0.12, 0.08);
+      arrow.visible = false;
+      this.scene.add(arrow);
+      return [name, arrow];
+    });
     this.ahead = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ color: 0xfff36b, size: 0.12 }));
     this.ahead.frustumCulled = false;
     this.scene.add(this.ahead);
@@ -73,6 +81,18 @@ export class Picture {
     const points = new Float32Array(rows.length / 4 * 3);
     for (let i = 0; i < rows.length / 4; i++) points.set(rows.subarray(4 * i + 1, 4 * i + 4), 3 * i);
     this.ahead.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+  }
+
+  // Draws an arrow for each force, 0.25 m per N; no arrows for null.
+  forces(forces) {
+    for (const [name, arrow] of this.arrows) {
+      const force = new THREE.Vector3().fromArray(forces?.[name] ?? [0, 0, 0]), size = force.length();
+      arrow.visible = size > 0.02;
+      if (!arrow.visible) continue;
+      arrow.position.fromArray(this.game.ball.position);
+      arrow.setDirection(force.divideScalar(size));
+      arrow.setLength(0.25 * size, 0.12, 0.08);
+    }
   }
 
   draw() {

@@ -65,6 +65,10 @@ internal static partial class Engine
     [JSExport]
     internal static double[] Squash(int ball) => Guard.Call(() => s_balls[ball].Squash());
 
+    /// <summary>Returns the forces with which the next step begins; empty if it begins with impulses.</summary>
+    [JSExport]
+    internal static double[] Forces(int ball, double dt) => Guard.Call(() => s_balls[ball].Forces(dt));
+
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     [JSExport]
     internal static int[] LookAheadEvents(int ball) => Guard.Call(() => s_balls[ball].LookAheadEvents());

@@ -145,6 +145,34 @@ internal sealed class WebBall
         return numbers;
     }
 
+    /// <summary>Returns the forces with which the next step begins, in the order of the members in JavaScript, followed by 13 numbers for each contact.</summary>
+    public double[] Forces(double dt)
+    {
+        if (Ball.GetForces(dt) is not { } forces)
+        {
+            return [];
+        }
+
+        var numbers = new List<double>();
+        void Add(in Vector3d vector) => numbers.AddRange([vector.X, vector.Y, vector.Z]);
+        foreach (Vector3d force in (Vector3d[])
+            [forces.Weight, forces.Buoyancy, forces.Drag, forces.Magnus, forces.Knuckle, forces.Nets, forces.Load, forces.Friction, forces.Sum, forces.Acceleration])
+        {
+            Add(in force);
+        }
+
+        foreach (ContactForce contact in forces.Contacts)
+        {
+            numbers.Add(contact.ColliderIndex);
+            Add(contact.Point);
+            Add(contact.Normal);
+            Add(contact.Load);
+            Add(contact.Friction);
+        }
+
+        return [.. numbers];
+    }
+
     /// <summary>Returns the number of events of the last prediction, and their address.</summary>
     public int[] LookAheadEvents()
     {

@@ -32,6 +32,10 @@ for (const { name, kick, ticks, scene: description } of JSON.parse(readFileSync(
     const { along, across, axis } = ball.squash();
     if (along < 1) console.log(`${name} squash ${words([along, across, ...axis])}`);
     if (tick % 10 === 0) console.log(`${name} ${ball.motion} ${words([ball.time, ...ball.position, ...ball.velocity, ...ball.spin, ...ball.orientation])} ${ball.hash()}`);
+    if (tick % 10 === 5) {
+      const f = ball.forces(1 / 64);
+      console.log(`${name} forces ${f ? words([...f.weight, ...f.drag, ...f.magnus, ...f.load, ...f.friction, ...f.sum, ...f.acceleration]) : "none"} ${f ? f.contacts.map(c => c.name).join(",") : ""}`);
+    }
   }
   // Saved, moved and restored: the same bits again.
   const saved = ball.save(), hash = ball.hash();

@@ -12,6 +12,7 @@ export async function play(): Promise<string> {
   const physics = await load({ url: "/runtime/" }), scene = physics.scene(description), ball = scene.ball();
   ball.kick([3, 8, -22], { x: 0, y: 40, z: 0 });
   ball.kick({ speed: 25, elevation: 12 });
+  const drag: number = ball.forces(1 / 60)?.drag[0] ?? 0;
   const path: Float64Array = ball.lookAhead(2, 60, { timeStep: 1 / 120, stopAt: "impact" });
   scene.ball().restart([0, 0.11, 0], { velocity: [0, 0, 1], orientation: [0, 0, 0, 1] });
   scene.body("leg").place([0, 0.5, -8], { velocity: [0, 0, 1], orientation: [0, 0, 0, 1] });

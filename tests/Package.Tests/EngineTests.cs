@@ -216,6 +216,32 @@ public sealed class EngineTests
         Assert.True(points[count - 1].Z < points[0].Z);
     }
 
+    [Fact]
+    public void The_engines_draw_the_forces_of_the_next_step()
+    {
+        UnityBall unity = InUnity();
+        unity.gameObject.Send("OnDrawGizmos");
+        unity.Kick(20f, new UnityVector(0f, 0.5f, 1f), 0f, 60f);
+        unity.gameObject.Send("FixedUpdate");
+        UnityEngine.Gizmos.Lines.Clear();
+        unity.gameObject.Send("OnDrawGizmos");
+        BallForces forces = unity.Runner.Simulator.ForcesAt(unity.Runner.State, unity.Runner.TimeStep)!;
+        UnityVector ball = UnityFrame.ToUnity(unity.Runner.State.Position);
+        Assert.Equal(
+            new[] { forces.Weight + forces.Buoyancy, forces.Drag, forces.Magnus }.Select(force => (ball, ball + (0.2f * UnityFrame.ToUnity(force)))),
+            UnityEngine.Gizmos.Lines);
+
+        GodotBall godot = InGodot(0.02f);
+        godot.Kick(20f, new GodotVector(0f, 0.5f, -1f), 0f, 60f);
+        godot._PhysicsProcess(0.02);
+        var shown = new GodotAddon.FootballForces { Ball = godot };
+        shown._Ready();
+        shown._Process(0.02);
+        Assert.Equal(GodotAddon.FootballForces.Kinds, shown.Lines.Length);
+        Assert.StartsWith(FormattableString.Invariant($"{godot.Runner.Velocity.Length:F1} m/s, 60 rad/s, Re "), shown.Numbers, StringComparison.Ordinal);
+        Assert.Contains("Airborne", shown.Numbers, StringComparison.Ordinal);
+    }
+
     private static UnityBall InUnity() => new UnityEngine.GameObject().AddComponent<UnityBall>();
 
     private static GodotBall InGodot(float timeStep)

@@ -39,7 +39,7 @@ public sealed partial class GodotFolderTests
         Assert.DoesNotContain("AddCustomType", Repository.Text(Addon + "/FootballPlugin.cs"));
         Type[] global = [.. typeof(FootballBall).Assembly.GetTypes().Where(type => type.IsDefined(typeof(GlobalClassAttribute)))];
         Assert.Equal(
-            ["FootballAir", "FootballBall", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballSound", "FootballWall"],
+            ["FootballAir", "FootballBall", "FootballForces", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballSound", "FootballWall"],
             global.Select(type => type.Name).Order(StringComparer.Ordinal));
         foreach (Type type in global)
         {

@@ -136,6 +136,14 @@ public sealed class NpmTests(ITestOutputHelper told)
                     yield return $"{name} {JsonNamingPolicy.CamelCase.ConvertName(ball.Motion.ToString())} "
                         + Words([ball.Time, .. Parts(ball.Position), .. Parts(ball.Velocity), .. Parts(ball.Spin), q.X, q.Y, q.Z, q.W]) + " " + Hash(ball);
                 }
+
+                if (tick % 10 == 5)
+                {
+                    BallForces? f = ball.GetForces(TimeStep);
+                    string forces = f is null ? "none"
+                        : Words([.. Parts(f.Weight), .. Parts(f.Drag), .. Parts(f.Magnus), .. Parts(f.Load), .. Parts(f.Friction), .. Parts(f.Sum), .. Parts(f.Acceleration)]);
+                    yield return $"{name} forces {forces} {string.Join(',', (f?.Contacts ?? []).Select(contact => ball.Simulator.NameOf(contact.ColliderIndex)))}";
+                }
             }
 
             ball.Kick(speed: 20, elevationDegrees: 15, azimuthDegrees: -10, topSpin: 5, sideSpin: 30);

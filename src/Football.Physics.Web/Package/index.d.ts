@@ -55,6 +55,40 @@ export interface Impact {
   energyLost: number;
 }
 
+/** The forces on a ball with which its next step begins, in N, in world coordinates: for arrows and overlays. */
+export interface Forces {
+  weight: Vector;
+  buoyancy: Vector;
+  drag: Vector;
+  magnus: Vector;
+  /** The knuckle force of the seams; it acts only in flight. */
+  knuckle: Vector;
+  /** The sum of the forces of all nets. */
+  nets: Vector;
+  /** The sum of the loads of all contacts, along their normals. */
+  load: Vector;
+  /** The sum of the friction of all contacts, with rolling resistance. */
+  friction: Vector;
+  /** The sum of all forces. */
+  sum: Vector;
+  /** The acceleration, in m/s². */
+  acceleration: Vector;
+  /** The contacts; empty in flight. */
+  contacts: ContactForce[];
+}
+
+/** The forces of one contact on a ball, in N. */
+export interface ContactForce {
+  /** The name of the object. */
+  name: string;
+  /** The contact point, in m. */
+  point: Vector;
+  /** The normal of the surface, towards the ball. */
+  normal: Vector;
+  load: Vector;
+  friction: Vector;
+}
+
 /** A kick at a speed (m/s) and two angles (degrees), with spins in rad/s. */
 export interface KickAngles {
   speed: number;
@@ -295,6 +329,8 @@ export interface Ball extends BallState {
   impactSound(index: number, rate?: number): { loudness: number; brightness: number; brush: number; samples: Float32Array };
   /** Returns the squash of the drawn ball: scales along and across an axis. The ball itself stays round. Call it after each step. */
   squash(): { along: number; across: number; axis: Vector };
+  /** Returns the forces with which the next step begins; null if it begins with an impact, or solves its contacts by impulses. `dt` is the length of that step, in s; default 1/60. */
+  forces(dt?: number): Forces | null;
   /** Predicts the path as rows t, x, y, z, evenly spaced from now. If the prediction ends early, the last row repeats. */
   lookAhead(seconds: number, samples?: number, options?: LookAheadOptions): Float64Array;
   /** Returns the end of the last prediction, in s. */

@@ -3,6 +3,7 @@ const EVENT_NUMBERS = 22, PLACEMENT_NUMBERS = 15;
 const ASSEMBLY = "Football.Physics.Web.dll";
 
 // The events, in the order of their numbers in C#.
+const FORCES = ["weight", "buoyancy", "drag", "magnus", "knuckle", "nets", "load", "friction", "sum", "acceleration"];
 const EVENTS = ["impact", "slide", "roll", "rest", "net", "goal", "contactEnd", "pinned", "enterZone", "exitZone"];
 const MOTIONS = ["airborne", "sliding", "rolling", "rest", "pinned"];
 
@@ -239,6 +240,17 @@ class Ball {
   squash() {
     const [along, across, ...axis] = run(this.engine.Squash, this.id);
     return { along, across, axis };
+  }
+
+  forces(dt = 1 / 60) {
+    const numbers = run(this.engine.Forces, this.id, number("dt", dt));
+    if (numbers.length === 0) return null;
+    const at = i => Array.from(numbers.slice(i, i + 3)), forces = { contacts: [] };
+    FORCES.forEach((name, i) => { forces[name] = at(3 * i); });
+    for (let i = 3 * FORCES.length; i < numbers.length; i += 13) {
+      forces.contacts.push({ name: this.scene.names[numbers[i]] ?? "", point: at(i + 1), normal: at(i + 4), load: at(i + 7), friction: at(i + 10) });
+    }
+    return forces;
   }
 
   numbers(from, count) { return Array.from(this.physics.heap.subarray(this.memory + from, this.memory + from + count)); }

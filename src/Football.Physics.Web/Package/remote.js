@@ -1,6 +1,6 @@
 // The counterpart of worker.js: objects with the same methods. Each method returns a promise.
 
-const BALL = ["place", "launch", "restart", "kick", "step", "lookAhead", "lookAheadEnd", "lookAheadEvents", "impact", "impactSound", "squash", "keeper", "bulges", "hash", "save", "restore", "free"];
+const BALL = ["place", "launch", "restart", "kick", "step", "forces", "lookAhead", "lookAheadEnd", "lookAheadEvents", "impact", "impactSound", "squash", "keeper", "bulges", "hash", "save", "restore", "free"];
 
 class Line {
   constructor(worker, PhysicsError) {

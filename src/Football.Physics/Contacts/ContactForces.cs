@@ -34,6 +34,18 @@ internal static unsafe class ContactForces
         return new MotionRates(in acceleration, in spinAcceleration, free.AirSpeed);
     }
 
+    /// <summary>Returns the friction of a contact in the last solution, per mass, m/s²; that of the bearer includes rolling resistance.</summary>
+    public static Vector3d FrictionOf(in ContactSystem system, int index)
+    {
+        ref readonly SetContact contact = ref system.Contacts[index];
+        ForceRow row = default;
+        SetLoad(in system, index, 0, ref row);
+
+        // The force of a unit of load, apart from the load itself, is sliding friction or rolling resistance.
+        Vector3d friction = contact.Friction + (contact.Load * (row.PushV - contact.Normal));
+        return index == system.Bearer && system.Pinned ? friction + (system.Held * system.Along) : friction;
+    }
+
     /// <summary>Sets G, the response of each condition to a unit of each force, and b, the remainder of each condition without these
     /// forces.</summary>
     private static void SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)

@@ -347,6 +347,20 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <summary>Returns the tangential part of a vector.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
+    /// <summary>Returns the friction in the rates of a slide or a roll, with rolling resistance, per mass, m/s².</summary>
+    public readonly Vector3d FrictionOn(in Motion at, in SurfaceForces on)
+    {
+        if (Rolls && Pinned)
+        {
+            return on.MaterialRate - on.Body - on.Air;
+        }
+
+        Vector3d moving = Rolls ? on.Rolling : FollowsPush ? SlipPush(in on, in at.Spin) : on.Slip;
+        double size = moving.Length;
+        Vector3d direction = size > 0 && !LocksDirection && Vector3d.Dot(in moving, in Direction) > 0 ? moving / size : Direction;
+        return Rolls ? -Traction(in on) - (MostRolling(in on, size) * direction) : -MostFriction(in on) * direction;
+    }
+
     private readonly MotionRates Sliding(in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;

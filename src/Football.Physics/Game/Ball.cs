@@ -191,6 +191,13 @@ public sealed class Ball
         Simulator.Kick(ref _state, speed * unit, KickVectors.Spin(unit, topSpin, sideSpin));
     }
 
+    /// <summary>Computes the forces with which the ball's next step begins, for arrows and overlays: see <see cref="Simulator.ForcesAt"/>.</summary>
+    /// <param name="dt">The length of the next step, in s; above 0, at most 1e12. Default 1/60.</param>
+    /// <returns>The forces; null if the step begins with impulses.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved for a time more than 0.25 s from the ball's time.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite; the message names it.</exception>
+    public BallForces? GetForces(double dt = Simulator.UsualStep) => _simulator.ForcesAt(in _state, dt);
+
     /// <summary>Advances the ball by one frame; <see cref="Events"/> then holds the events of that frame.</summary>
     /// <param name="dt">The frame time, in s; 0 … 1e12.</param>
     /// <remarks>Does not allocate. An exception from a custom force propagates; the ball keeps its state from before the step, without

@@ -68,7 +68,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         if (run.Rattles || set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
         {
-            return _parts.Take(ref s, ref run);
+            return TakeParts(ref s, ref run);
         }
 
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
@@ -80,9 +80,15 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             case SetMotion.One:
                 return false;
             case SetMotion.Unsolved:
-                return _parts.Take(ref s, ref run);
+                return TakeParts(ref s, ref run);
             case SetMotion.Changed:
                 return true;
+        }
+
+        if (run.Probe is not null)
+        {
+            run.Probe.Press(in piece.System, in piece.From, s.Time);
+            return true;
         }
 
         bool taken;
@@ -98,6 +104,18 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         return taken;
+    }
+
+    /// <summary>Takes the rest of the step in parts.</summary>
+    private bool TakeParts(ref BallState s, ref StepRun run)
+    {
+        if (run.Probe is not null)
+        {
+            run.Probe.UsesImpulses = true;
+            return true;
+        }
+
+        return _parts.Take(ref s, ref run);
     }
 
     /// <summary>Takes a piece up to its first event, moves the ball, and handles the event. If the set has no solution, takes the parts instead.</summary>

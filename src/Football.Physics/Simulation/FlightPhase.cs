@@ -60,6 +60,12 @@ internal sealed class FlightPhase<TIntegrator>
             return;
         }
 
+        if (run.Probe is not null)
+        {
+            run.Probe.Fly(in s);
+            return;
+        }
+
         // RK4 does not speed up a velocity that turns by up to 2.8 rad. A net reacts within less than a step: use RK4 substeps.
         bool spirals = run.Spirals && run.Whole != WholeStep.Ends;
         _own?.Shorten(ref h, s.Nets != 0 ? _world.NetForces.Longest(s.Nets, s.NetSides, s.Position, s.Velocity) : double.PositiveInfinity, ref run);

@@ -22,6 +22,9 @@ namespace FootballPhysics.Simulation;
 internal class SceneStepper<TIntegrator> : Stepper
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>The maximum number of changes of the motion before the first evaluation of a step.</summary>
+    private const int MostChanges = 8;
+
     private readonly Vector3d _wind;
     private readonly double _upward;
     private SceneAir _air;
@@ -183,6 +186,44 @@ internal class SceneStepper<TIntegrator> : Stepper
 
     public override void EndAcceleration(in BallState s, double h, out Vector3d acceleration) =>
         FlightRates.Of(ref _air, in s, _upward, s.Flight.Velocity - _wind, s.Flight.SpinRate, out acceleration, out _);
+
+    public override BallForces? ForcesAt(in BallState state, double dt, Scene scene)
+    {
+        BallState s = state;
+        if (World.Engine is not null)
+        {
+            World.Enter(ref s);
+        }
+
+        // Take the step on a copy, with the same phases, up to the first evaluation. A phase may first change the kind of motion.
+        var probe = new ForceProbe(Around, scene);
+        var run = new StepRun(dt, s.Time, new StepLog()) { Probe = probe };
+        run.Arrival = s.Velocity.Length;
+        if (s.Motion == MotionState.Rest)
+        {
+            probe.Rest(in s);
+            return probe.Found;
+        }
+
+        Separate(ref s, ref run);
+        for (int i = 0; i < MostChanges && probe.Found is null && !run.HasImpulses && s.Motion != MotionState.Pinned; i++)
+        {
+            switch (s.Motion)
+            {
+                case MotionState.Airborne:
+                    _flight.Take(ref s, ref run);
+                    break;
+                case MotionState.Rest:
+                    probe.Rest(in s);
+                    return probe.Found;
+                default:
+                    _surface.Take(ref s, ref run);
+                    break;
+            }
+        }
+
+        return run.HasImpulses ? null : probe.Found;
+    }
 
     /// <summary>Tries a whole step of flight, and completes it if it contains no event.</summary>
     /// <param name="s">The ball, in the air.</param>
@@ -406,23 +447,4 @@ internal class SceneStepper<TIntegrator> : Stepper
             _surface.Take(ref s, ref run);
         }
     }
-}
-
-/// <summary>What is known of the rest of a step as a single piece.</summary>
-internal enum WholeStep
-{
-    /// <summary>Not tried yet.</summary>
-    Untried,
-
-    /// <summary>Not taken, because the step may have to be divided.</summary>
-    NotTaken,
-
-    /// <summary>Not taken, because an object is near. A flight in the rest of the step is not tried either.</summary>
-    Near,
-
-    /// <summary>Integrated, but it contains an event. The ball has not moved.</summary>
-    Ends,
-
-    /// <summary>Taken without an event. The ball has moved.</summary>
-    Done,
 }

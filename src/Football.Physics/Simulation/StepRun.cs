@@ -145,6 +145,9 @@ internal ref struct StepRun
     /// <summary>Receives events and counts.</summary>
     public StepLog Log;
 
+    /// <summary>Ends the step at its first evaluation of the forces; null in every step of a ball.</summary>
+    public ForceProbe? Probe;
+
     private int _short;
     private bool _isStiff;
     private bool _stalls;
@@ -152,6 +155,9 @@ internal ref struct StepRun
     private int _firstZoneEvent;
     private long _lastEvaluation;
     private int _eventsBefore;
+
+    /// <summary>True if the step has changed the velocity by an impulse, or would solve its contacts by impulses.</summary>
+    public readonly bool HasImpulses => AllImpacts > 0 || Squeezes > 0 || Probe is { UsesImpulses: true };
 
     /// <summary>Starts a step.</summary>
     /// <param name="dt">Length of the step, s.</param>

@@ -64,6 +64,13 @@ internal abstract class Stepper
     /// <summary>Returns the factors of the air laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
     public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay);
 
+    /// <summary>Returns the forces of the first evaluation of a step.</summary>
+    /// <param name="state">The ball; not changed.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="scene">The scene.</param>
+    /// <returns>The forces; null if the step begins with impulses.</returns>
+    public abstract BallForces? ForcesAt(in BallState state, double dt, Scene scene);
+
     /// <summary>Computes the acceleration at the end of a whole step of flight.</summary>
     /// <param name="s">The ball at the end of the step.</param>
     /// <param name="h">The length of the step, in s.</param>

@@ -69,7 +69,15 @@ internal sealed class SurfacePhase<TIntegrator>
     public void Take(ref BallState s, ref StepRun run)
     {
         SurfacePiece piece = default;
-        if (!Propose(ref s, ref run, ref piece))
+        double time = s.Time;
+        bool isProposed = Propose(ref s, ref run, ref piece);
+        if (run.Probe is not null)
+        {
+            Look(in s, in run, in piece, time, isProposed);
+            return;
+        }
+
+        if (!isProposed)
         {
             return;
         }
@@ -83,6 +91,15 @@ internal sealed class SurfacePhase<TIntegrator>
         else if (run.Followed > 0 || !(run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, ref piece) : Take<TIntegrator>(ref s, ref run, ref piece)))
         {
             Take<EighthOrder>(ref s, ref run, ref piece);
+        }
+    }
+
+    /// <summary>Reports the forces at the start of a piece, or of a slip that ends in closed form.</summary>
+    private static void Look(in BallState s, in StepRun run, in SurfacePiece piece, double time, bool isProposed)
+    {
+        if (isProposed || (run.Probe!.Found is null && run.Left < run.Length))
+        {
+            run.Probe!.Slide(in piece.System, in piece.From, in piece.Start.Acceleration, time, s.Carrier);
         }
     }
 

@@ -187,6 +187,18 @@ namespace UnityEngine
 
         public static Color yellow => new Color(1f, 0.92f, 0.016f, 1f);
 
+        public static Color red => new Color(1f, 0f, 0f, 1f);
+
+        public static Color green => new Color(0f, 1f, 0f, 1f);
+
+        public static Color blue => new Color(0f, 0f, 1f, 1f);
+
+        public static Color cyan => new Color(0f, 1f, 1f, 1f);
+
+        public static Color magenta => new Color(1f, 0f, 1f, 1f);
+
+        public static Color gray => new Color(0.5f, 0.5f, 0.5f, 1f);
+
         public static Color white => new Color(1f, 1f, 1f, 1f);
 
         public readonly bool Equals(Color other) => r.Equals(other.r) && g.Equals(other.g) && b.Equals(other.b) && a.Equals(other.a);

@@ -74,6 +74,41 @@ namespace FootballPhysics.Unity
             Gizmos.DrawWireSphere(_path[count - 1], Radius);
         }
 
+        private void OnDrawGizmos()
+        {
+            // Between the steps of a game, the forces are those with which the next step begins.
+            BallForces forces = gizmoForces > 0f && _runner != null ? _runner.Simulator.ForcesAt(_runner.State, _runner.TimeStep) : null;
+            if (forces == null)
+            {
+                return;
+            }
+
+            Vector3 ball = UnityFrame.ToUnity(_runner.State.Position);
+            DrawForce(ball, forces.Weight + forces.Buoyancy, Color.white);
+            DrawForce(ball, forces.Drag, Color.red);
+            DrawForce(ball, forces.Magnus, Color.green);
+            DrawForce(ball, forces.Knuckle, Color.magenta);
+            DrawForce(ball, forces.Custom, Color.cyan);
+            DrawForce(ball, forces.Nets, Color.gray);
+            foreach (ContactForce contact in forces.Contacts)
+            {
+                Vector3 point = UnityFrame.ToUnity(contact.Point);
+                DrawForce(point, contact.Load, Color.blue);
+                DrawForce(point, contact.Friction, Color.yellow);
+            }
+        }
+
+        private void DrawForce(Vector3 from, Vector3d force, Color color)
+        {
+            Vector3 arrow = gizmoForces * UnityFrame.ToUnity(force);
+            if (arrow.magnitude > 1e-3f)
+            {
+                Gizmos.color = color;
+                Gizmos.DrawLine(from, from + arrow);
+                Gizmos.DrawWireSphere(from + arrow, 0.02f);
+            }
+        }
+
         private int Follow(Simulator simulator, BallState state, double timeStep, Span<Vector3> points)
         {
             using (s_path.Auto())

@@ -31,6 +31,9 @@ namespace FootballPhysics.Unity
         [SerializeField, Range(0.1f, 20f), Tooltip("Length of the path that the gizmo shows, s.")]
         private float gizmoSeconds = 3f;
 
+        [SerializeField, Range(0f, 2f), Tooltip("Length of the arrows of the forces on the ball in a running game, m per N; 0: no arrows. Weight white, drag red, Magnus green, knuckle magenta, custom cyan, nets grey, loads blue, friction yellow.")]
+        private float gizmoForces = 0.2f;
+
         [SerializeField, Tooltip("Layers of the colliders that the ball hits; none: only football components and the ground.")]
         private LayerMask hits;
 
