@@ -12,6 +12,7 @@ using FootballPhysics.Labs.Matches;
 using FootballPhysics.Labs.Motions;
 using FootballPhysics.Labs.Nets;
 using FootballPhysics.Labs.Obstacles;
+using FootballPhysics.Labs.Penalties;
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Peers;
 using FootballPhysics.Labs.Pipes;
@@ -187,7 +188,7 @@ internal static class Laboratories
             AnswersLab.Create(), FuzzLab.Create(), BallsLab.Create(), KnuckleLab.Create(), BodiesLab.Create(), RigsLab.Create(), KicksLab.Create(), SweepLab.Create(),
             InterceptLab.Create(), DerivativesLab.Create(), BankShotLab.Create(), ScatterLab.Create(), FitLab.Create(), CameraLab.Create(),
             ObstaclesLab.Create(), GoalsLab.Create(), MatchesLab.Create(), PeersLab.Create(), PeopleLab.Create(), PlayLab.Create(), VerdictsLab.Create(), ScenesLab.Create(),
-            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(), FollowLab.Create(),
+            StressLab.Create(), ZonesLab.Create(), GroupsLab.Create(), MotionsLab.Create(), NetsLab.Create(), PipesLab.Create(), ReboundsLab.Create(), ForcesLab.Create(), FollowLab.Create(), PenaltiesLab.Create(),
         ])
         {
             command.Add(lab.Command(terminal));
