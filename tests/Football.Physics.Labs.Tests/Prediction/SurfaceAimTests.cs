@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown on slopes, hills and in wind are found again, and none of them is called out of reach.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Aiming;
 
 /// <summary>Bounds that hold for every kick up to a speed, whatever its direction and spin: the energy of the ball relative to the air.</summary>
