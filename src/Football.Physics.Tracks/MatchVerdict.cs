@@ -62,6 +62,9 @@ internal sealed class MatchVerdict
     private const double SeenShare = 3;
     private const double SeenError = 0.05;
 
+    /// <summary>The share of the points above the ground in flights below which the ball does not fly as one does.</summary>
+    private const double LeastCovered = 0.35;
+
     /// <summary>The residual beyond the noise, in m, that another law of drag must not leave.</summary>
     private const double LawError = 0.0075;
 
@@ -91,7 +94,7 @@ internal sealed class MatchVerdict
             | (fit.Rms > MostRms || fit.Noise > MostNoise ? TrackSuspicions.Units : 0)
             | (doubts.IsScaled ? TrackSuspicions.Scale : 0) | (doubts.IsTurned ? TrackSuspicions.Turned : 0)
             | (doubts.HasOtherLaw && doubts.IsStrange && excess > LawError ? TrackSuspicions.DragLaw : 0)
-            | (IsMisfit(fit.Rms, fit.Noise) ? TrackSuspicions.Misfit : 0);
+            | (IsMisfit(fit.Rms, fit.Noise) || fit.Covered < LeastCovered ? TrackSuspicions.Misfit : 0);
         bool isFree = fit.Flights > 0 && (Suspicions & ~(TrackSuspicions.Lines | TrackSuspicions.Held)) == 0;
         bool many = isFree && fit.Flights >= LeastFlights && fit.Noise <= CoarseNoise;
         bool launches = isFree && Share(flight => IsGoodLaunch(flight.VelocityDeviation)) >= GoodShare;
