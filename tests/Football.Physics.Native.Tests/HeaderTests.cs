@@ -39,7 +39,7 @@ public sealed partial class HeaderTests
         Assert.Equal(120, sizeof(NativeBall));
         Assert.Equal(160, sizeof(NativeEvent));
         Assert.Equal(
-            (144, 208, 96, 72, 72, 96, 280, 232, 256),
+            (144, 208, 96, 72, 72, 96, 288, 232, 256),
             (sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult),
                 sizeof(NativePiece), sizeof(NativeFitMatchResult)));
         Assert.Equal(16, sizeof(NativeWatch));
