@@ -15,8 +15,8 @@ internal static class AimVerdicts
     /// <summary>True if the scan hits no request that the solver missed, and every request has an answer.</summary>
     public static bool Answers(LabCounts counts) => counts["can be hit"] == 0 && counts["without an answer"] == 0;
 
-    /// <summary>True if the scan contradicts no verdict, and every request has one.</summary>
-    public static bool Hold(LabCounts counts) => Answers(counts) && counts["can be closer"] == 0 && counts["not converged"] == 0;
+    /// <summary>True if the scan contradicts no verdict. In wind, a target that is only missed is not called out of reach: no bound holds there.</summary>
+    public static bool Hold(LabCounts counts) => Answers(counts) && counts["can be closer"] == 0;
 
     /// <summary>Solves requests on all processors, and adds a table.</summary>
     /// <param name="run">The run that receives the table, and some answers that are wrong or not the closest.</param>

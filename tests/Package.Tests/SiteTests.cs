@@ -98,7 +98,7 @@ public sealed partial class SiteTests
             }
             else
             {
-                Assert.True(signatures.Length < 2, type);
+                Assert.True(signatures.Length < 3, type);
             }
         }
     }

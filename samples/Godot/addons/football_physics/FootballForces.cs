@@ -13,9 +13,9 @@ public partial class FootballForces : Node3D
     public const int Kinds = 8;
 
     private static readonly Color[] s_colors =
-    [
+    {
         new(1, 1, 1), new(1, 0.2f, 0.2f), new(0.2f, 0.9f, 0.2f), new(1, 0.2f, 1), new(0.2f, 1, 1), new(0.5f, 0.5f, 0.5f), new(0.2f, 0.4f, 1), new(1, 0.8f, 0.1f),
-    ];
+    };
 
     private readonly MeshInstance3D[] _lines = new MeshInstance3D[Kinds];
     private readonly Vector3[] _ends = new Vector3[2];
@@ -69,7 +69,7 @@ public partial class FootballForces : Node3D
         BallForces? forces = runner.Simulator.ForcesAt(in state, runner.TimeStep);
         Vector3d[] vectors = forces is null
             ? new Vector3d[Kinds]
-            : [forces.Weight + forces.Buoyancy, forces.Drag, forces.Magnus, forces.Knuckle, forces.Custom, forces.Nets, forces.Load, forces.Friction];
+            : new[] { forces.Weight + forces.Buoyancy, forces.Drag, forces.Magnus, forces.Knuckle, forces.Custom, forces.Nets, forces.Load, forces.Friction };
         for (int i = 0; i < Kinds; i++)
         {
             _ends[0] = GodotFrame.ToGodot(state.Position);
@@ -77,8 +77,9 @@ public partial class FootballForces : Node3D
             FootballDrawing.Trace(_lines[i], vectors[i].Length * MetresPerNewton > 1e-3 ? _ends : ReadOnlySpan<Vector3>.Empty);
         }
 
-        foreach (BallEvent happened in runner.Events)
+        if (runner.Events.Count > 0)
         {
+            ref readonly BallEvent happened = ref runner.Events[runner.Events.Count - 1];
             _last = $"{happened.Kind} {runner.NameOf(in happened)}";
         }
 

@@ -30,9 +30,10 @@ namespace FootballPhysics.Unity
             }
 
             FixedStepRunner runner = _ball.Runner;
-            foreach (BallEvent happened in runner.Events)
+            if (runner.Events.Count > 0)
             {
-                _last = happened.Kind + " " + runner.NameOf(happened);
+                ref readonly BallEvent happened = ref runner.Events[runner.Events.Count - 1];
+                _last = happened.Kind + " " + runner.NameOf(in happened);
             }
 
             Scene scene = runner.Simulator.Scene;
