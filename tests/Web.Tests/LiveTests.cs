@@ -93,7 +93,11 @@ public sealed class LiveTests(Browser browser, ITestOutputHelper told)
     {
         var start = new ProcessStartInfo("node", [Path.Combine(Browser.Repository, "tests", "Web.Tests", "live.mjs"), script, Path.Combine(Browser.Repository, "src", "Football.Physics.Web", "bin", "package")])
         {
-            RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true, StandardOutputEncoding = Encoding.UTF8, StandardInputEncoding = new UTF8Encoding(false),
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            StandardOutputEncoding = Encoding.UTF8,
+            StandardInputEncoding = new UTF8Encoding(false),
         };
         using Process node = Process.Start(start)!;
         Task<string> error = node.StandardError.ReadToEndAsync();
