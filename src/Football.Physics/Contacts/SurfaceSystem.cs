@@ -355,20 +355,24 @@ internal unsafe struct SurfaceSystem : IContactMotion
             return on.MaterialRate - on.Body - on.Air;
         }
 
-        Vector3d moving = Rolls ? on.Rolling : FollowsPush ? SlipPush(in on, in at.Spin) : on.Slip;
+        return Rolls ? -Traction(in on) - (MostRolling(in on, on.Rolling.Length) * Along(in on.Rolling)) : -MostFriction(in on) * Along(SlipIn(in on, in at.Spin));
+    }
+
+    /// <summary>Returns the vector that friction acts against: the slip, or the push that a slow slip follows.</summary>
+    private readonly Vector3d SlipIn(in SurfaceForces on, in Vector3d spin) => FollowsPush ? SlipPush(in on, in spin) : on.Slip;
+
+    /// <summary>Returns the direction of a slip or a roll, or the one at the start if it has reversed within a stage: friction can stop it, but not reverse it.</summary>
+    private readonly Vector3d Along(in Vector3d moving)
+    {
         double size = moving.Length;
-        Vector3d direction = size > 0 && !LocksDirection && Vector3d.Dot(in moving, in Direction) > 0 ? moving / size : Direction;
-        return Rolls ? -Traction(in on) - (MostRolling(in on, size) * direction) : -MostFriction(in on) * direction;
+        return size > 0 && !LocksDirection && Vector3d.Dot(in moving, in Direction) > 0 ? moving / size : Direction;
     }
 
     private readonly MotionRates Sliding(in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
 
-        // Use ŝ, or the initial direction if the slip has reversed within a stage: friction can stop the slip but not reverse it.
-        Vector3d slip = FollowsPush ? SlipPush(in on, in at.Spin) : on.Slip;
-        double size = slip.Length;
-        Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
+        Vector3d s = Along(SlipIn(in on, in at.Spin));
         double friction = MostFriction(in on);
 
         // If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
@@ -399,14 +403,11 @@ internal unsafe struct SurfaceSystem : IContactMotion
         }
 
         // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂. A pinned ball accelerates like the carrier's material.
-        double speed = on.Rolling.Length;
-        bool goesOn = speed > 0 && !LocksDirection && Vector3d.Dot(in on.Rolling, in Direction) > 0;
-        Vector3d direction = goesOn ? on.Rolling / speed : Direction;
         Vector3d along = Pinned ? on.MaterialRate
             : Drive(in on)
                 + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
-                - (MostRolling(in on, speed) * direction);
+                - (MostRolling(in on, on.Rolling.Length) * Along(in on.Rolling));
 
         // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
