@@ -120,7 +120,7 @@ public enum AimStatus
     /// <summary>No kick within the bounds hits the target; the result is the closest kick found.</summary>
     /// <remarks>
     /// A bound excludes every kick. Either the target needs more energy or time than any kick has, or flights over all elevations bound the miss
-    /// (in still air over level ground, for a target at rest).
+    /// (in still air over level ground, for a target at rest). The constants of this second bound are exact in vacuum, and measured in air.
     /// </remarks>
     OutOfReach = 1,
 
