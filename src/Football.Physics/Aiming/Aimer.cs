@@ -42,7 +42,7 @@ public sealed partial class Aimer
         _context = new AimContext(simulator ?? throw new ArgumentNullException(nameof(simulator)));
         _general = new GeneralAim(_context);
         _direct = new DirectAim(_context, _general);
-        _directTwoPoint = new DirectTwoPointAim(_context, _direct, _general);
+        _directTwoPoint = new DirectTwoPointAim(_context, _direct);
     }
 
     /// <summary>Finds a kick.</summary>

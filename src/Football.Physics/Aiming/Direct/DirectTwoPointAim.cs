@@ -14,13 +14,13 @@ internal sealed class DirectTwoPointAim
 
     private readonly AimContext _context;
     private readonly DirectAim _direct;
-    private readonly GeneralAim _general;
+    private readonly ThroughAim _general;
     private readonly PlaneProblem _problem;
     private readonly PlaneNewton _newton;
 
-    public DirectTwoPointAim(AimContext context, DirectAim direct, GeneralAim general)
+    public DirectTwoPointAim(AimContext context, DirectAim direct)
     {
-        _general = general;
+        _general = new ThroughAim(context);
         _context = context;
         _direct = direct;
         _problem = new PlaneProblem(context);
@@ -29,12 +29,12 @@ internal sealed class DirectTwoPointAim
 
     public AimSolution Find(AimRequest request)
     {
-        // Ignore a waypoint that is not between ball and target, except in wind, which may carry the ball past the waypoint.
+        // Ignore a waypoint that is not between ball and target, unless wind, a slope or a custom force may carry the ball past it.
         if (!_problem.SetThrough(request))
         {
             AimSolution alone = _direct.Find(request);
             alone.ThroughMiss = double.NaN;
-            return !_context.Scene.Air.IsStill && _general.Through(request, in alone.Kick, out AimSolution turned) ? turned : alone;
+            return !_context.IsEvenAround && _general.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
         AimSolution solution = Newton();
@@ -44,7 +44,7 @@ internal sealed class DirectTwoPointAim
         }
 
         // The kick may be too far from the closed-form guess: use the general search.
-        return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
+        return _general.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
     private bool Suffices(in AimSolution solution) =>
@@ -53,11 +53,11 @@ internal sealed class DirectTwoPointAim
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.WaypointTolerance;
 
-    /// <summary>True if no other kick passes the waypoint more closely: in still air, for a flat kick with a spin at its limit.</summary>
+    /// <summary>True if no other kick passes the waypoint more closely: in still air over level ground, for a flat kick with a spin at its limit.</summary>
     private bool IsOnlyOne(in Kick kick)
     {
         AimRequest request = _problem.Request;
-        return kick.Elevation < FlatKick && _context.Scene.Air.IsStill && !_context.IsRuledByAir(request.Speed, kick.SpinRate)
+        return kick.Elevation < FlatKick && _context.IsEvenAround && !_context.IsRuledByAir(request.Speed, kick.SpinRate)
             && (Math.Abs(kick.Top) >= request.MaximumTopSpin * NearLimit || Math.Abs(kick.Side) >= request.MaximumSideSpin * NearLimit);
     }
 

@@ -8,7 +8,7 @@ namespace FootballPhysics.Aiming;
 /// omitting the scan at a given speed loses 8 kicks; the scan for the slowest kick, 26 slower kicks; the scan at a given time, 4; the scan with a
 /// waypoint, 14 of 176 (<c>football lab answers --only known --count 300</c>).
 /// </remarks>
-internal sealed partial class GeneralAim
+internal sealed class GeneralAim
 {
     private const int N = ShootingProblem.Most;
 
@@ -93,7 +93,7 @@ internal sealed partial class GeneralAim
     public bool From(AimRequest request, double speed, in Kick kick, double time, out AimSolution solution)
     {
         _problem.Begin(request, speed, through: false);
-        Put(in kick, speed, time);
+        Put(_problem, _x, in kick, speed, time);
         return _problem.Hit(_x, out solution);
     }
 
@@ -148,9 +148,9 @@ internal sealed partial class GeneralAim
             }
         }
 
-        // The kick is unique if it is at a bound, the air is still and does not dominate, and no spin turns the ball back.
+        // The kick is unique if it is at a bound, the scene is the same in all directions, the air does not dominate, and no spin turns the ball back.
         bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
-        if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
+        if (!isBound || _problem.IsRuledByAir || !_context.IsEvenAround || turnsBack)
         {
             BeginAtTime(request, rolls: false);
             if ((turnsBack && FromBehind(time, out solution)) || FromScans(request, time, Choice.First, ref solution, found: false))
@@ -222,19 +222,19 @@ internal sealed partial class GeneralAim
     public AimArc ArcOf(AimRequest request, in AimSolution hit)
     {
         Begin(request, rolls: false);
-        Put(in hit.Kick, hit.Speed, hit.Time);
+        Put(_problem, _x, in hit.Kick, hit.Speed, hit.Time);
         return _curve.SlowsWithTime(_x) ? AimArc.Low : AimArc.High;
     }
 
     /// <summary>Sets the unknowns to a kick, clamped to their bounds.</summary>
-    private void Put(in Kick kick, double speed, double time)
+    public static void Put(ShootingProblem problem, double[] x, in Kick kick, double speed, double time)
     {
-        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
-        _x[ShootingProblem.Azimuth] = kick.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
-        _x[ShootingProblem.Top] = _problem.IsFree(ShootingProblem.Top) ? _problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
-        _x[ShootingProblem.Side] = _problem.IsFree(ShootingProblem.Side) ? _problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
-        _x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
+        x[ShootingProblem.Elevation] = problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
+        x[ShootingProblem.Azimuth] = kick.Azimuth;
+        x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+        x[ShootingProblem.Top] = problem.IsFree(ShootingProblem.Top) ? problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
+        x[ShootingProblem.Side] = problem.IsFree(ShootingProblem.Side) ? problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
+        x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
     }
 
     /// <summary>Begins a search for a kick with free speed.</summary>

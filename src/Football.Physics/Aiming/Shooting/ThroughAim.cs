@@ -1,21 +1,26 @@
 namespace FootballPhysics.Aiming;
 
-/// <content>Kicks with a waypoint.</content>
-internal sealed partial class GeneralAim
+/// <summary>The general search for a kick that passes a waypoint: from a nearby kick, then from scans with several spins.</summary>
+internal sealed class ThroughAim(AimContext context)
 {
     /// <summary>The number of elevations, azimuths and spins in the scans for a kick with a waypoint.</summary>
     private const int ThroughRows = 5;
     private const int ThroughColumns = 6;
     private const int Spins = 9;
 
+    private readonly AimContext _context = context;
+    private readonly ShootingProblem _problem = context.Shooting;
+    private readonly DirectionScan _scan = new(context.Shooting);
+    private readonly double[] _x = new double[ShootingProblem.Most];
+
     /// <summary>Finds the kick that passes the waypoint and hits the target; everything except its speed is free.</summary>
     /// <returns>True if a kick was found and confirmed by measurement.</returns>
-    public bool Through(AimRequest request, in Kick near, out AimSolution solution)
+    public bool Find(AimRequest request, in Kick near, out AimSolution solution)
     {
         // 1. Start from the nearby kick. 2. Start from scans with several spins, closest first. If a search ends near both points, continue with the
         // target only.
         _problem.Begin(request, request.Speed, through: true);
-        Put(in near, request.Speed, 1);
+        GeneralAim.Put(_problem, _x, in near, request.Speed, 1);
         _problem.Approach(_x);
         if (_problem.Hit(_x, out solution))
         {
