@@ -16,7 +16,7 @@ public sealed class QueriesAreReadsTests
             var data = new TheoryData<string, string>();
             foreach (string crate in (string[])["engine", "obstacle", "body"])
             {
-                foreach (string look in (string[])["look-ahead", "other simulator", "cache", "interception", "pass", "group"])
+                foreach (string look in (string[])["look-ahead", "other simulator", "cache", "interception", "pass", "group", "forces"])
                 {
                     data.Add(crate, look);
                 }
@@ -227,6 +227,13 @@ public sealed class QueriesAreReadsTests
             case "interception":
                 simulator.LookAhead(in states[0], request, paths[0]);
                 _ = new Interception().FindFirst(paths[0], [new Player { Position = new Vector3d(3, 0, -10) }], out _);
+                break;
+            case "forces":
+                foreach (ref readonly BallState state in states.AsSpan())
+                {
+                    _ = simulator.ForcesAt(in state, Tick);
+                }
+
                 break;
             case "pass":
                 _ = new Aimer(simulator).Find(new AimRequest { From = states[0].Position, Target = new Vector3d(0, 0.35, -9), Speed = 15 });
