@@ -31,11 +31,12 @@ internal sealed class RestPhase
 
         // In the published profile, air never wakes a ball.
         _airMayWake = around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
-        MayWake = _world.Moves || _airMayWake;
-        IsWokenByMotion = MayWake && !_airMayWake && _world.Engine is null;
+        bool turns = Array.Exists(_world.ByIndex, collider => !collider.Moves && !collider.StandsStill);
+        MayWake = _world.Moves || turns || _airMayWake;
+        IsWokenByMotion = MayWake && !turns && !_airMayWake && _world.Engine is null;
     }
 
-    /// <summary>True if a ball at rest may wake without a kick: by moving objects, a custom force or a changing wind.</summary>
+    /// <summary>True if a ball at rest may move or wake without a kick: by objects that move or turn, a custom force or a changing wind.</summary>
     public bool MayWake { get; }
 
     /// <summary>True if only moving bodies and pushed obstacles may wake a ball at rest.</summary>

@@ -202,20 +202,34 @@ public sealed class CarrierTests
 
     /// <summary>Rolling friction holds a ball that turns with the table where Ω² R/(1 + k) ≤ c₀ g.</summary>
     [Theory]
-    [InlineData(0.97, true)]
-    [InlineData(1.03, false)]
-    public void A_turntable_holds_the_ball_up_to_a_radius(double share, bool held)
+    [InlineData(Carrier.Obstacle, 0.97, true)]
+    [InlineData(Carrier.Obstacle, 1.03, false)]
+    [InlineData(Carrier.Body, 0.97, true)]
+    [InlineData(Carrier.Body, 1.03, false)]
+    [InlineData(Carrier.Engine, 0.97, true)]
+    [InlineData(Carrier.Engine, 1.03, false)]
+    public void A_turntable_holds_the_ball_up_to_a_radius(Carrier kind, double share, bool held)
     {
         const double Friction = 0.07;
         const double Spin = 1.5;
         var turn = new Vector3d(0, Spin, 0);
         double radius = share * Friction * 9.81 * (5.0 / 3) / (Spin * Spin);
         Scene scene = Still(2.0 / 3);
-        var table = PosedCollider.In(ref scene, s_slab, s_rough with { RollingResistance = Friction }, isEngine: false);
-        table.MoveTo(default, Quaterniond.Identity, default, turn, 0);
+        SurfaceMaterial surface = s_rough with { RollingResistance = Friction };
+        PosedCollider? table = null;
+        if (kind == Carrier.Obstacle)
+        {
+            scene = scene with { Obstacles = [new Obstacle { Shape = s_slab, Surface = surface, Spin = turn }] };
+        }
+        else
+        {
+            table = PosedCollider.In(ref scene, s_slab, surface, kind == Carrier.Engine);
+            table.MoveTo(default, Quaterniond.Identity, default, turn, 0);
+        }
+
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(radius, Radius, 0), Vector3d.Cross(turn, new Vector3d(radius, 0, 0)), turn);
-        Play(simulator, ref state, 5, time => table.MoveTo(default, Quaterniond.FromAxisAngle(Vector3d.Up, Spin * time), default, turn, time));
+        Play(simulator, ref state, 5, time => table?.MoveTo(default, Quaterniond.FromAxisAngle(Vector3d.Up, Spin * time), default, turn, time));
         Vector3d turned = Quaterniond.FromAxisAngle(Vector3d.Up, Spin * state.Time).Rotate(new Vector3d(radius, Radius, 0));
         if (held)
         {
