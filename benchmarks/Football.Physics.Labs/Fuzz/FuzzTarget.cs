@@ -112,6 +112,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
         byte[] input = Input(index);
         long before = GC.GetAllocatedBytesForCurrentThread();
         (bool? refused, string? found, double time) = Try(input);
+        long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
         for (int i = 0; i < Again && found is null && time > Suspicious; i++)
         {
             // The minimum excludes the time of other programs on the machine.
@@ -120,7 +121,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
 
         found ??= time > Slow ? $"slow: more than {Slow} ms" : null;
 
-        if (found is null && GC.GetAllocatedBytesForCurrentThread() - before > MostMemory)
+        if (found is null && allocated > MostMemory)
         {
             found = $"memory: more than {MostMemory >> 20} MiB allocated";
         }
