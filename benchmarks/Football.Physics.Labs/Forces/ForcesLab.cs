@@ -13,7 +13,7 @@ internal static class ForcesLab
         var lab = new Lab(
             "forces",
             "Springs and dampings against closed forms, at 30, 60 and 100 Hz; and look-aheads with a sideways gravity or a small force near moving feet.",
-            ["football lab forces", "football lab forces --count 100 --looks 100 --seed 7"]);
+            ["football lab forces", "football lab forces --count 5 --looks 50 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Forces in each bin of stiffness.", 1, 1_000_000, 700);
         Option<long> looks = lab.Whole("--looks", "Look-aheads.", 1, 1_000_000, 1000);
         Option<long> jobs = lab.Jobs("Threads.");

@@ -10,7 +10,7 @@ internal static class GroupsLab
         var lab = new Lab(
             "groups",
             "Random groups of 2 to 9 balls with contacts of all materials: every state is a number, empty space keeps momentum, and contacts add no energy.",
-            ["football lab groups", "football lab groups --count 500 --seed 7"]);
+            ["football lab groups", "football lab groups --count 200 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Groups.", 1, 10_000_000, 10_000);
         Option<long?> group = lab.WholeOrNone("--group", "One group by its number.", long.MaxValue);
         Option<long> jobs = lab.Jobs("Threads.");

@@ -11,7 +11,7 @@ internal static class MatchesLab
         var lab = new Lab(
             "matches",
             "Rollbacks of late kicks at four frame rates; dribbles, first-time shots and traps; energy and momentum of impacts; cost of fifty balls and of a jump in a recording.",
-            ["football lab matches --count 20 --impacts 10000", "football lab matches --only dribbles --count 200 --seed 7"]);
+            ["football lab matches --count 5 --impacts 10000", "football lab matches --only dribbles --count 40 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Number of matches, dribbles, first-time shots and traps each.", 1, 1_000_000, 1000);
         Option<long> impacts = lab.Whole("--impacts", "Number of impacts to check.", 1, 1_000_000_000, 1_000_000);
         Option<string?> only = lab.Only("PART", "Run one part", ["rollbacks", "dribbles", "shots", "traps", "impacts", "cost", "jumps"]);

@@ -10,7 +10,7 @@ internal static class NetsLab
         var lab = new Lab(
             "nets",
             "Balls that are walked, kicked and pressed into and through nets: none is deeper than the net gives, none gains energy, and all come to rest.",
-            ["football lab nets", "football lab nets --count 200 --seed 7"]);
+            ["football lab nets", "football lab nets --count 50 --seed 7"]);
         Option<long> count = lab.Whole("--count", "Balls.", 1, 10_000_000, 1000);
         Option<long?> ball = lab.WholeOrNone("--ball", "One ball by its number.", long.MaxValue);
         Option<long> jobs = lab.Jobs("Threads.");

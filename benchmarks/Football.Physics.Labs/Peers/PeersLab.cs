@@ -10,7 +10,7 @@ internal static class PeersLab
     public static Lab Create() => new Lab(
         "peers",
         "Matches of two peers with keepers, goals, restarts and kicks that arrive up to 20 ticks late, lost and doubled: equal states and equal scores.",
-        ["football lab peers", "football lab peers --matches 20 --seed 7"]).Plays(Lab.Number("--matches", "Number of matches.", 1, 1_000_000, 1000), Play);
+        ["football lab peers", "football lab peers --matches 5 --seed 7"]).Plays(Lab.Number("--matches", "Number of matches.", 1, 1_000_000, 1000), Play);
 
     /// <summary>Plays the matches on all processors.</summary>
     public static void Play(LabRun run, int matches)

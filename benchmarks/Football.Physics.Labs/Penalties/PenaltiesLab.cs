@@ -19,7 +19,7 @@ internal static class PenaltiesLab
         var lab = new Lab(
             "penalties",
             "Penalties against keepers who react and keepers who guess: shooters who aim as people do score about three of four against the keeper who guesses.",
-            ["football lab penalties --count 40", "football lab penalties --seed 7 --csv penalties.csv --count 20"]);
+            ["football lab penalties --count 10", "football lab penalties --seed 7 --csv penalties.csv --count 20"]);
         Option<long> count = lab.Whole("--count", "Penalties for each aim and keeper.", 1, 1_000_000, 300);
         Option<long> jobs = lab.Jobs("Threads.");
         return lab.Plays(run => Run(run, run.Int(count), run.Int(jobs)));
