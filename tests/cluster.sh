@@ -27,7 +27,7 @@ finish() {
   (( ${#pids[@]} == 0 )) || kill "${pids[@]}" 2> /dev/null || true
   for pid in "${pids[@]}"; do
     for (( i = 0; i < 50; i++ )); do running "$pid" || break; sleep 0.1; done
-    running "$pid" && kill -9 "$pid" 2> /dev/null
+    if running "$pid"; then kill -9 "$pid" 2> /dev/null || :; fi
   done
   rm -rf "$work"
 }
