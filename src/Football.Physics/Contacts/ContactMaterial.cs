@@ -38,7 +38,7 @@ internal readonly struct ContactMaterial
     public readonly double ImpactFriction;
 
     /// <summary>The resistance to a slide, a roll and a spin about the normal.</summary>
-    public readonly Resistance Resistance;
+    public Resistance Resistance { get; init; }
 
     public ContactMaterial(Ground ground, double bounce = 1)
         : this(ground.Material, bounce) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;

@@ -81,7 +81,7 @@ internal static class ContactSet
                 continue;
             }
 
-            var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
+            var contact = new Contact(i, collider, in at, gap, world.Ball, in s);
 
             // Merge surfaces with the same normal into one contact.
             int place = PlaceOf(in contact, room.Slice(0, count), world, carrier);
@@ -157,7 +157,7 @@ internal static class ContactSet
                 if (before.Collider == contact.Collider)
                 {
                     contact.Load = before.Load;
-                    contact.Friction = before.Friction;
+                    contact.Rub = before.Rub;
                 }
             }
         }
@@ -183,7 +183,7 @@ internal static class ContactSet
         foreach (ref Contact contact in set)
         {
             contact.Load = 0;
-            contact.Friction = default;
+            contact.Rub = default;
         }
     }
 
@@ -366,60 +366,5 @@ internal static class ContactSet
 
             set[place] = contact;
         }
-    }
-}
-
-/// <summary>One of several contacts of a ball: its geometry, its material, and its impulse in the last step.</summary>
-internal struct Contact
-{
-    /// <summary>Index of the collider.</summary>
-    public readonly int Collider;
-
-    /// <summary>True if the collider moves. The ball may then overlap the collider if it cannot get out of the way.</summary>
-    public readonly bool Moves;
-
-    /// <summary>True if the surface is flat there.</summary>
-    public readonly bool IsFlat;
-
-    /// <summary>The curvature of the surface as the ball meets it.</summary>
-    public readonly Bend Bend;
-
-    /// <summary>n, towards the ball.</summary>
-    public readonly Vector3d Normal;
-
-    /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
-    public readonly Vector3d Velocity;
-
-    /// <summary>Distance from the ball, m; negative for an overlap.</summary>
-    public readonly double Gap;
-
-    /// <summary>True if it touches the ball. A contact of a ball that rattles may have a small gap.</summary>
-    public readonly bool Touches => Gap <= ContactTolerances.Touching;
-
-    /// <summary>Material of the surface.</summary>
-    public readonly ContactMaterial Material;
-
-    /// <summary>True if the ball rolls on it, without slip.</summary>
-    public readonly bool Rolls;
-
-    /// <summary>J_n/m, m/s.</summary>
-    public double Load;
-
-    /// <summary>J_t/m, m/s.</summary>
-    public Vector3d Friction;
-
-    public Contact(int index, Collider collider, in ShapePoint at, double gap, double radius, in BallState s)
-    {
-        Collider = index;
-        Moves = collider.Moves;
-        IsFlat = at.IsFlat;
-        Bend = collider.BendAt(in at, s.Position, s.Velocity, s.Time);
-        Normal = at.Normal;
-        Velocity = collider.SurfaceVelocity(s.Position - (radius * at.Normal), at.Normal, s.Time);
-        Gap = gap;
-        Material = collider.MaterialAt(s.Position);
-        Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < ContactTolerances.SolvedSlip;
-        Load = 0;
-        Friction = default;
     }
 }

@@ -56,18 +56,4 @@ internal struct TurningResistance
         w += (drilled * Normal) + more;
         return Math.Max(Math.Abs(drilled), more.Length);
     }
-
-    /// <summary>c_ω h/I.</summary>
-    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.Resistance.Damping / ball.MomentOfInertia;
-
-    /// <summary>Maximum spin that drilling friction removes about the normal per unit of load, rad/s per m/s: b μ_s/(α r²).</summary>
-    public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
-        contact.Material.Resistance.Drilling / (ball.InertiaFactor * ball.Radius * ball.Radius);
-
-    /// <summary>Maximum spin that resistance removes from the rolling, rad/s; zero if the contact slipped before.</summary>
-    public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
-    {
-        double most = contact.Material.Resistance.MostRolling(contact.Load, (v - contact.Velocity).Length);
-        return contact.Rolls ? (1.0 + ball.InertiaFactor) * most / (ball.InertiaFactor * ball.Radius) : 0;
-    }
 }

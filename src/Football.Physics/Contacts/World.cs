@@ -221,6 +221,9 @@ internal sealed partial class World
     /// <summary>Shared memory for contact sets outside the phases of a step.</summary>
     public ContactRoom Room { get; } = new();
 
+    /// <summary>The same for copies of sets.</summary>
+    public ContactRoom Spare { get; } = new();
+
     /// <summary>Evaluations of gaps by searches for contacts that no step has counted yet.</summary>
     public long SearchEvaluations;
 

@@ -49,7 +49,7 @@ internal sealed partial class ContactSetParts
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
             // Approximate the contact impulses in a few iterations, because without room there may be no exact solution.
-            ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, rounds: ContactSolver.RoundsInVain);
+            ImpulseSolver.Solve(set, _world.Ball, h, ref v, ref w, rounds: ImpulseSolver.RoundsInVain);
             LeaveOut(ref set, run.Log);
 
             // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.

@@ -6,7 +6,7 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a ball on several surfaces in short parts with velocity-level impulses.</summary>
 /// <remarks>It is the fallback of <see cref="ContactSetPhase{TIntegrator}"/>. Each part evaluates the forces at both ends, computes the impulses
-/// with <see cref="ContactSolver"/>, and moves the ball at the mean velocity. This is exact if the forces are constant and no contact
+/// with <see cref="ImpulseSolver"/>, and moves the ball at the mean velocity. This is exact if the forces are constant and no contact
 /// changes its mode. At a change of mode, the error depends on the length of the part.</remarks>
 internal sealed partial class ContactSetParts
 {
@@ -124,7 +124,7 @@ internal sealed partial class ContactSetParts
         part.Start = _forces.Free(in s, s.Time, in part.From, isCarried: true, h);
         part.Velocity = part.From.Velocity + (h * part.Start.Acceleration);
         part.Spin = part.From.Spin + (h * part.Start.SpinAcceleration);
-        part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin, ContactTolerances.Foreseen);
+        part.Solved = ImpulseSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin, ContactTolerances.Foreseen);
     }
 
     /// <summary>Corrects the predicted motion with the mean of the forces at both ends.</summary>
@@ -150,7 +150,7 @@ internal sealed partial class ContactSetParts
         part.Velocity = from.Velocity + ((0.5 * h) * (part.Start.Acceleration + there.Acceleration));
         part.Spin = from.Spin + ((0.5 * h) * (part.Start.SpinAcceleration + there.SpinAcceleration));
         var unheld = new Motion(from.Position, in part.Velocity, in part.Spin);
-        part.Solved = ContactSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
+        part.Solved = ImpulseSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
         SolvedSet.Correct(set, _world.Ball, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
     }
 
@@ -229,7 +229,7 @@ internal sealed partial class ContactSetParts
         bearer = ContactSet.Heaviest(set);
         foreach (ref readonly Contact contact in set)
         {
-            count += contact.Load > ContactTolerances.LeastLoad * h ? 1 : 0;
+            count += contact.Load > ContactTolerances.LeastLoad * h * contact.NormalMass ? 1 : 0;
         }
 
         return count;
@@ -259,7 +259,7 @@ internal sealed partial class ContactSetParts
         }
 
         int evaluations = 0;
-        bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
+        bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ImpulseSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
             : _rest.IsHeldBy(set, in still, Vector3d.Zero, mayGrip: true, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using FootballPhysics.Contacts;
 
 namespace FootballPhysics.Simulation;
@@ -30,30 +31,11 @@ internal static class SolvedSet
             }
         }
 
-        if (Drives(set))
-        {
-            return;
-        }
-
-        double turning = ball.InertiaFactor * ball.Radius * ball.Radius;
-        double square = v.LengthSquared + (turning * w.LengthSquared);
-        double share = ShareWithoutWork(square, Vector3d.Dot(in v, free.Velocity) + (turning * Vector3d.Dot(in w, free.Spin)));
-        if (share < 1)
-        {
-            v = share * v;
-            w = share * w;
-        }
+        var pressed = new PressedBall(ball) { V = v, W = w, FreeV = free.Velocity, FreeW = free.Spin };
+        ImpulseSolver.LimitWork(MemoryMarshal.CreateSpan(ref pressed, 1), set);
+        v = pressed.V;
+        w = pressed.W;
     }
-
-    /// <summary>Returns the share of velocities and spins at which stationary contacts do no work: 1 for an exact solution.</summary>
-    /// <remarks>
-    /// By Coulomb's law, each impulse J satisfies J·v ≤ 0 at the end; together, J = M (v − v_free). So v·M v ≤ v·M v_free. In a narrow wedge the impulses
-    /// are huge, and their rounding errors break this.
-    /// </remarks>
-    /// <param name="square">v·M v, over all balls and their spins.</param>
-    /// <param name="shared">v·M v_free, with the velocities and spins without contacts.</param>
-    public static double ShareWithoutWork(double square, double shared) =>
-        square > shared + (ContactTolerances.PieceEnergy * square) ? Math.Max(0, shared / square) : 1;
 
     /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones.</summary>
     /// <returns>False if the contacts still close: in a narrow wedge, projections need too many rounds.</returns>

@@ -24,7 +24,7 @@ internal sealed partial class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         var before = new Motion(s.Position, in v, in w);
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.MergedImpacts++ < MostMerged;
+        bool solved = ImpulseSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.MergedImpacts++ < MostMerged;
 
         // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(in s, set, in before.Velocity, in v)))

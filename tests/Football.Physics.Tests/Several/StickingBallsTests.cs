@@ -57,15 +57,15 @@ public sealed class StickingBallsTests
     {
         const double Mass = 0.43;
         const double Inertia = 2.0 / 3 * Mass * 0.11 * 0.11;
-        var solver = new PileSolver { Count = 3 };
+        var solver = new PileSystem { Count = 3 };
         for (int i = 0; i < 3; i++)
         {
-            solver.Members[i] = new PileMember { Ball = i, PerMass = 1 / Mass, PerInertia = 1 / Inertia, InertiaFactor = 2.0 / 3, Radius = 0.11, V = new Vector3d(-0.01 * i, 0, 0), W = new Vector3d(0, 30, 5 * i) };
+            solver.Balls[i] = new PressedBall { PerMass = 1 / Mass, PerInertia = 1 / Inertia, InertiaFactor = 2.0 / 3, Radius = 0.11, V = new Vector3d(-0.01 * i, 0, 0), W = new Vector3d(0, 30, 5 * i) };
         }
 
         for (int i = 0; i < 2; i++)
         {
-            solver.Add(new PileContact
+            solver.Add(new Contact
             {
                 First = i + 1,
                 Second = i,
@@ -75,7 +75,7 @@ public sealed class StickingBallsTests
                 NormalMass = Mass / 2,
                 SlipMass = 0.5 / ((1 / Mass) + (0.11 * 0.11 / Inertia)),
                 TwistMass = Inertia / 2,
-                Resistance = new Resistance(double.PositiveInfinity, 0, 0, 0, 0.004),
+                Material = new ContactMaterial { Resistance = new Resistance(double.PositiveInfinity, 0, 0, 0, 0.004) },
             });
         }
 
@@ -83,15 +83,15 @@ public sealed class StickingBallsTests
         Vector3d momentum = Vector3d.Zero;
         for (int i = 0; i < 3; i++)
         {
-            Assert.True(solver.Members[i].V.IsFinite && solver.Members[i].W.IsFinite);
-            momentum += Mass * solver.Members[i].V;
+            Assert.True(solver.Balls[i].V.IsFinite && solver.Balls[i].W.IsFinite);
+            momentum += Mass * solver.Balls[i].V;
         }
 
         Assert.Equal(-0.03 * Mass, momentum.X, 1e-15);
 
         // The touching pair sticks.
-        ref readonly PileMember a = ref solver.Members[0];
-        ref readonly PileMember b = ref solver.Members[1];
+        ref readonly PressedBall a = ref solver.Balls[0];
+        ref readonly PressedBall b = ref solver.Balls[1];
         Vector3d slip = b.V - a.V - Vector3d.Cross(0.11 * (a.W + b.W), new Vector3d(1, 0, 0));
         Assert.InRange((slip - (slip.X * new Vector3d(1, 0, 0))).Length, 0, 1e-9);
     }
@@ -101,20 +101,20 @@ public sealed class StickingBallsTests
     public void A_scaled_part_keeps_the_momentum_of_balls_alone()
     {
         const double Mass = 0.43;
-        var solver = new PileSolver { Count = 2 };
+        var solver = new PileSystem { Count = 2 };
         for (int i = 0; i < 2; i++)
         {
-            solver.Members[i] = new PileMember { Ball = i, PerMass = 1 / Mass, PerInertia = 300, InertiaFactor = 2.0 / 3, Radius = 0.11, StartV = new Vector3d(i == 0 ? 1 : 3, 0, 0), StartW = new Vector3d(0, 2, 0) };
+            solver.Balls[i] = new PressedBall { PerMass = 1 / Mass, PerInertia = 300, InertiaFactor = 2.0 / 3, Radius = 0.11, FreeV = new Vector3d(i == 0 ? 1 : 3, 0, 0), FreeW = new Vector3d(0, 2, 0) };
         }
 
         // An impulse that is too large: the balls separate faster than they closed.
-        solver.Members[0].V = new Vector3d(6, 0, 0);
-        solver.Members[1].V = new Vector3d(-2, 0, 0);
-        solver.Members[0].W = solver.Members[1].W = new Vector3d(0, 2, 0);
-        solver.Add(new PileContact { First = 0, Second = 1, Collider = -1, Normal = new Vector3d(-1, 0, 0), NormalMass = Mass / 2, Load = 5 * Mass });
-        solver.LimitWork(1e-3);
-        Assert.Equal(4.0, solver.Members[0].V.X + solver.Members[1].V.X, 1e-12);
-        Assert.Equal(2.0, solver.Members[0].V.X, 1e-12);
-        Assert.Equal(new Vector3d(0, 2, 0), solver.Members[0].W);
+        solver.Balls[0].V = new Vector3d(6, 0, 0);
+        solver.Balls[1].V = new Vector3d(-2, 0, 0);
+        solver.Balls[0].W = solver.Balls[1].W = new Vector3d(0, 2, 0);
+        solver.Add(new Contact { First = 0, Second = 1, Collider = -1, Normal = new Vector3d(-1, 0, 0), NormalMass = Mass / 2, Load = 5 * Mass });
+        solver.LimitWork();
+        Assert.Equal(4.0, solver.Balls[0].V.X + solver.Balls[1].V.X, 1e-12);
+        Assert.Equal(2.0, solver.Balls[0].V.X, 1e-12);
+        Assert.Equal(new Vector3d(0, 2, 0), solver.Balls[0].W);
     }
 }

@@ -9,68 +9,61 @@ internal sealed partial class BallPile
     private void Find(BallState[] states, double reach, double h)
     {
         // Keep the contacts of the previous part, for the warm start.
-        (_last, _solver.Contacts) = (_solver.Contacts, _last);
-        _lastCount = _solver.ContactCount;
-        _solver.ContactCount = 0;
+        (_last, _system.Contacts) = (_system.Contacts, _last);
+        _lastCount = _system.ContactCount;
+        _system.ContactCount = 0;
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         for (int i = 0; i < Count; i++)
         {
-            ref PileMember member = ref _solver.Members[i];
+            ref PileMember member = ref _system.Members[i];
             ref readonly BallState s = ref states[member.Ball];
             World world = _simulators[member.Ball].World;
 
             // A moving object also approaches the ball: widen the search by the object's path.
             double far = reach + (world.Moves ? h * world.FastestMover : 0);
             Span<Contact> near = ContactSet.Near(world, in s, far, room, world.Room);
-            member.FirstContact = _solver.ContactCount;
-            member.OwnContacts = near.Length;
+            ref PressedBall ball = ref _system.Balls[i];
+            ball.FirstContact = _system.ContactCount;
+            ball.OwnContacts = near.Length;
             foreach (ref readonly Contact contact in near)
             {
-                _solver.Add(With(in contact, i, in member, in s, h));
+                _system.Add(With(in contact, i, in s, h));
             }
 
             for (int j = i + 1; j < Count; j++)
             {
-                ref readonly PileMember other = ref _solver.Members[j];
-                Vector3d apart = s.Position - states[other.Ball].Position;
-                double most = member.Radius + other.Radius + reach;
+                Vector3d apart = s.Position - states[_system.Members[j].Ball].Position;
+                double most = ball.Radius + _system.Balls[j].Radius + reach;
                 if (Math.Abs(apart.Y) <= most && Math.Abs(apart.X) <= most && apart.LengthSquared <= most * most)
                 {
-                    _solver.Add(Between(i, j, in apart));
+                    _system.Add(Between(i, j, in apart));
                 }
             }
         }
     }
 
-    private PileContact With(in Contact near, int index, in PileMember member, in BallState s, double h)
+    private Contact With(in Contact near, int index, in BallState s, double h)
     {
-        Collider collider = _simulators[member.Ball].World.ByIndex[near.Collider];
-        return new PileContact
+        Collider collider = _simulators[_system.Members[index].Ball].World.ByIndex[near.Collider];
+        return near with
         {
             First = index,
-            Second = -1,
-            Collider = near.Collider,
-            Moves = near.Moves,
             MovesNow = !BallRests.Bears(in near, collider),
-            Normal = near.Normal,
 
             // On a rotating surface, use the velocity at the end of the part. With the velocity at the start, a gripping ball would slip by |Ω × v|
             // h.
-            Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), in near.Normal, s.Time + h),
+            Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (_system.Balls[index].Radius * near.Normal), in near.Normal, s.Time + h),
             Gap = Math.Max(0, near.Gap),
-            NormalMass = 1.0 / member.PerMass,
-            SlipMass = 1.0 / (member.PerMass + (member.Radius * member.Radius * member.PerInertia)),
-            Resistance = near.Material.Resistance,
         };
     }
 
-    private PileContact Between(int first, int second, in Vector3d apart)
+    private Contact Between(int first, int second, in Vector3d apart)
     {
-        ref readonly PileMember a = ref _solver.Members[first];
-        ref readonly PileMember b = ref _solver.Members[second];
+        ref readonly PressedBall a = ref _system.Balls[first];
+        ref readonly PressedBall b = ref _system.Balls[second];
         double distance = apart.Length;
         double perMass = a.PerMass + b.PerMass;
-        return new PileContact
+        return new Contact
         {
             First = first,
             Second = second,
@@ -80,7 +73,7 @@ internal sealed partial class BallPile
             NormalMass = 1.0 / perMass,
             SlipMass = 1.0 / (perMass + (a.Radius * a.Radius * a.PerInertia) + (b.Radius * b.Radius * b.PerInertia)),
             TwistMass = 1.0 / (a.PerInertia + b.PerInertia),
-            Resistance = _resistance,
+            Material = _material,
         };
     }
 
@@ -89,10 +82,10 @@ internal sealed partial class BallPile
     private bool Continue(double share)
     {
         int first = 0;
-        for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
+        for (int i = 0; i < _system.ContactCount && _lastCount > 0; i++)
         {
             // Both lists are ordered by the first ball, and each ball has few contacts: scan both in parallel.
-            ref PileContact contact = ref _solver.Contacts[i];
+            ref Contact contact = ref _system.Contacts[i];
             while (first < _lastCount && _last[first].First < contact.First)
             {
                 first++;
@@ -100,7 +93,7 @@ internal sealed partial class BallPile
 
             for (int k = first; k < _lastCount && _last[k].First == contact.First; k++)
             {
-                ref readonly PileContact last = ref _last[k];
+                ref readonly Contact last = ref _last[k];
                 if (last.Second == contact.Second && last.Collider == contact.Collider)
                 {
                     contact.Load = share * last.Load;

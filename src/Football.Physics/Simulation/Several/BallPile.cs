@@ -33,11 +33,11 @@ internal sealed partial class BallPile
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;
-    private readonly Resistance _resistance;
-    private readonly PileSolver _solver = new();
+    private readonly ContactMaterial _material;
+    private readonly PileSystem _system = new();
     private readonly PileBounces _bounces;
     private readonly PileOverlaps _overlaps;
-    private PileContact[] _last = new PileContact[32];
+    private Contact[] _last = new Contact[32];
     private int _lastCount;
     private double _length;
     private double _longest;
@@ -51,16 +51,16 @@ internal sealed partial class BallPile
     public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction)
     {
         _simulators = simulators;
-        _resistance = new Resistance(friction, 0, 0, 0, Math.Max(LeastDrilling, contact.Resistance.Patch));
-        _bounces = new PileBounces(simulators, _solver, in contact);
-        _overlaps = new PileOverlaps(simulators, _solver);
+        _material = contact with { Resistance = new Resistance(friction, 0, 0, 0, Math.Max(LeastDrilling, contact.Resistance.Patch)) };
+        _bounces = new PileBounces(simulators, _system, in contact);
+        _overlaps = new PileOverlaps(simulators, _system);
     }
 
     /// <summary>Number of balls in the pile.</summary>
-    public int Count => _solver.Count;
+    public int Count => _system.Count;
 
     /// <summary>Index of a ball of the pile.</summary>
-    public int this[int index] => _solver.Members[index].Ball;
+    public int this[int index] => _system.Members[index].Ball;
 
     /// <summary>True if the pile has used its parts in this step, so that a ball that hits it joins it at once.</summary>
     public bool IsSpent => _plans >= MostPlans;
@@ -77,8 +77,8 @@ internal sealed partial class BallPile
     /// <summary>Empties the pile for a step of a given length, s.</summary>
     public void Clear(double time, double step)
     {
-        _solver.Count = 0;
-        _solver.ContactCount = 0;
+        _system.Count = 0;
+        _system.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
         _ends = 0;
@@ -97,17 +97,7 @@ internal sealed partial class BallPile
         Vector3d spin = s.Spin;
         s.SetGroundSpin(in spin);
         s.ClearUntil = 0;
-        Add(new PileMember
-        {
-            Ball = ball,
-            PerMass = 1.0 / its.Mass,
-            PerInertia = 1.0 / its.MomentOfInertia,
-            InertiaFactor = its.InertiaFactor,
-            Radius = its.Radius,
-            FreeUntil = double.NegativeInfinity,
-            StartV = s.Velocity,
-            StartW = spin,
-        });
+        Add(new PileMember { Ball = ball, FreeUntil = double.NegativeInfinity, StartV = s.Velocity, StartW = spin }, new PressedBall(its));
     }
 
     /// <summary>Adds all balls of another pile at the same time, with their computed forces.</summary>
@@ -116,7 +106,7 @@ internal sealed partial class BallPile
     {
         for (int m = 0; m < other.Count; m++)
         {
-            Add(in other._solver.Members[m]);
+            Add(in other._system.Members[m], in other._system.Balls[m]);
         }
 
         _plans = Math.Max(_plans, other._plans);
@@ -124,15 +114,10 @@ internal sealed partial class BallPile
         _bounces.Absorb(other._bounces);
     }
 
-    private void Add(in PileMember member)
+    private void Add(in PileMember member, in PressedBall ball)
     {
-        if (Count == _solver.Members.Length)
-        {
-            Array.Resize(ref _solver.Members, 2 * Count);
-        }
-
-        _solver.Members[_solver.Count++] = member;
-        _solver.ContactCount = 0;
+        _system.Add(in member, in ball);
+        _system.ContactCount = 0;
         _length = 0;
         Until = Time;
     }
@@ -140,17 +125,21 @@ internal sealed partial class BallPile
     /// <summary>Sorts the balls by position, lowest first, so that their indices have no effect.</summary>
     public void Sort(BallState[] states)
     {
-        PileMember[] members = _solver.Members;
+        PileMember[] members = _system.Members;
+        PressedBall[] balls = _system.Balls;
         for (int i = 1; i < Count; i++)
         {
             PileMember member = members[i];
+            PressedBall ball = balls[i];
             int place = i;
             for (; place > 0 && IsBefore(in member, in members[place - 1], states); place--)
             {
                 members[place] = members[place - 1];
+                balls[place] = balls[place - 1];
             }
 
             members[place] = member;
+            balls[place] = ball;
         }
     }
 
@@ -178,7 +167,7 @@ internal sealed partial class BallPile
         double pull = 0;
         for (int i = 0; i < Count; i++)
         {
-            ref PileMember member = ref _solver.Members[i];
+            ref PileMember member = ref _system.Members[i];
             ref BallState s = ref states[member.Ball];
             if (!(member.FreeUntil > Time))
             {
@@ -195,7 +184,7 @@ internal sealed partial class BallPile
                 member.IsStiff |= change > 1;
             }
 
-            pull = Math.Max(pull, h * (member.Free.Acceleration.Length + (member.Radius * member.Free.SpinAcceleration.Length)));
+            pull = Math.Max(pull, h * (member.Free.Acceleration.Length + (_system.Balls[i].Radius * member.Free.SpinAcceleration.Length)));
             top = Math.Max(top, s.Velocity.Length);
         }
 
@@ -210,19 +199,19 @@ internal sealed partial class BallPile
 
         for (int i = 0; i < Count; i++)
         {
-            ref PileMember member = ref _solver.Members[i];
+            ref PileMember member = ref _system.Members[i];
             ref readonly BallState s = ref states[member.Ball];
             member.StartV = s.Velocity;
             member.StartW = s.Spin;
-            member.V = s.Velocity + (h * member.Free.Acceleration);
-            member.W = member.StartW + (h * member.Free.SpinAcceleration);
+            _system.Balls[i].V = s.Velocity + (h * member.Free.Acceleration);
+            _system.Balls[i].W = member.StartW + (h * member.Free.SpinAcceleration);
         }
 
         double share = _length > 0 ? h / _length : 0;
         bool warm = Continue(share);
-        _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull, share: share);
-        _solver.LimitWork(h);
-        _solver.SetWays();
+        _system.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull, share: share);
+        _system.LimitWork();
+        _system.SetWays();
         _length = h;
         double touch = _bounces.FirstTouch(h);
         EndsAtBounce = touch < h;
@@ -233,7 +222,7 @@ internal sealed partial class BallPile
     }
 
     /// <summary>Mean velocity of a ball in the part, m/s.</summary>
-    public Vector3d WayOf(int index) => _solver.Members[index].Way;
+    public Vector3d WayOf(int index) => _system.Members[index].Way;
 
     /// <summary>Discards the computed motion after a change of a ball's velocity.</summary>
     public void Forget() => Until = Time;
@@ -250,17 +239,18 @@ internal sealed partial class BallPile
 
         for (int i = 0; i < Count; i++)
         {
-            _solver.Members[i].From = states[_solver.Members[i].Ball];
+            _system.Members[i].From = states[_system.Members[i].Ball];
         }
 
         // Within a part, v and ω are linear in time: interpolate a shortened part.
         double share = EndsAtBounce ? duration / _length : time < Until ? duration / h : 1.0;
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PileMember member = ref _solver.Members[i];
+            ref readonly PileMember member = ref _system.Members[i];
             ref BallState s = ref states[member.Ball];
-            Vector3d v = share < 1 ? member.StartV + (share * (member.V - member.StartV)) : member.V;
-            Vector3d w = share < 1 ? member.StartW + (share * (member.W - member.StartW)) : member.W;
+            ref readonly PressedBall ball = ref _system.Balls[i];
+            Vector3d v = share < 1 ? member.StartV + (share * (ball.V - member.StartV)) : ball.V;
+            Vector3d w = share < 1 ? member.StartW + (share * (ball.W - member.StartW)) : ball.W;
             _simulators[member.Ball].Pile.Move(ref s, duration, in member.Way, in v, in w, member.Free.AirSpeed, logs[member.Ball]);
             s.Time = time;
         }
@@ -271,7 +261,7 @@ internal sealed partial class BallPile
         // Report the path up to the final position, after overlaps are resolved. Only End sets the position at the end of the step.
         for (int i = 0; i < Count; i++)
         {
-            ref PileMember member = ref _solver.Members[i];
+            ref PileMember member = ref _system.Members[i];
             member.IsUnshown = time == _end;
             if (!member.IsUnshown)
             {
@@ -286,9 +276,9 @@ internal sealed partial class BallPile
         bool rests = Rests(states, logs);
         for (int i = 0; i < Count; i++)
         {
-            int ball = _solver.Members[i].Ball;
-            int bearer = _solver.ContactCount > 0 ? _solver.BearerOf(i) : -1;
-            int collider = bearer < 0 ? -1 : _solver.Contacts[bearer].Collider;
+            int ball = _system.Members[i].Ball;
+            int bearer = _system.ContactCount > 0 ? _system.BearerOf(i) : -1;
+            int collider = bearer < 0 ? -1 : _system.Contacts[bearer].Collider;
             HoldOnto(i, states);
             if (rests)
             {
@@ -311,7 +301,7 @@ internal sealed partial class BallPile
 
         for (int i = 0; i < Count; i++)
         {
-            ref PileMember member = ref _solver.Members[i];
+            ref PileMember member = ref _system.Members[i];
             if (member.IsUnshown)
             {
                 member.IsUnshown = false;

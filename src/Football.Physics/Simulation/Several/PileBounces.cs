@@ -13,22 +13,22 @@ internal sealed class PileBounces
     private const int MostOfBall = 8;
 
     private readonly Simulator[] _simulators;
-    private readonly PileSolver _solver;
+    private readonly PileSystem _system;
     private readonly ContactMaterial _material;
     private int _bounces;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
-    /// <param name="solver">The pile's balls and contacts.</param>
+    /// <param name="system">The pile's balls and contacts.</param>
     /// <param name="material">The material of impacts between balls.</param>
-    public PileBounces(Simulator[] simulators, PileSolver solver, in ContactMaterial material)
+    public PileBounces(Simulator[] simulators, PileSystem system, in ContactMaterial material)
     {
         _simulators = simulators;
-        _solver = solver;
+        _system = system;
         _material = material;
     }
 
     /// <summary>True if the balls have used their bounces in this step.</summary>
-    private bool IsSpent => _bounces >= MostOfBall * _solver.Count;
+    private bool IsSpent => _bounces >= MostOfBall * _system.Count;
 
     /// <summary>Starts a step.</summary>
     public void Clear() => _bounces = 0;
@@ -41,23 +41,23 @@ internal sealed class PileBounces
     /// <param name="h">Length of the part, s.</param>
     public void Mark(BallState[] states, double h)
     {
-        for (int i = 0; i < _solver.ContactCount && !IsSpent; i++)
+        for (int i = 0; i < _system.ContactCount && !IsSpent; i++)
         {
-            double time = BounceTime(in _solver.Contacts[i], states);
-            _solver.Contacts[i].Bounces = time > 0 && time < h;
+            double time = BounceTime(in _system.Contacts[i], states);
+            _system.Contacts[i].Bounces = time > 0 && time < h;
         }
     }
 
     /// <summary>Returns the time at which the first marked contact touches on the ways of the balls, s; at most the length of the part.</summary>
     public double FirstTouch(double h)
     {
-        for (int i = 0; i < _solver.ContactCount; i++)
+        for (int i = 0; i < _system.ContactCount; i++)
         {
-            ref readonly PileContact contact = ref _solver.Contacts[i];
+            ref readonly Contact contact = ref _system.Contacts[i];
             if (contact.Bounces)
             {
-                Vector3d other = contact.Second < 0 ? contact.Velocity : _solver.Members[contact.Second].Way;
-                double closing = -Vector3d.Dot(_solver.Members[contact.First].Way - other, in contact.Normal);
+                Vector3d other = contact.Second < 0 ? contact.Velocity : _system.Members[contact.Second].Way;
+                double closing = -Vector3d.Dot(_system.Members[contact.First].Way - other, in contact.Normal);
                 h = contact.Gap < h * closing ? contact.Gap / closing : h;
             }
         }
@@ -75,13 +75,13 @@ internal sealed class PileBounces
     {
         // Limit the impacts to the number of contacts plus eight at one instant, and to eight per ball and step.
         bool bounced = false;
-        for (int done = 0; done < _solver.ContactCount + 8; done++)
+        for (int done = 0; done < _system.ContactCount + 8; done++)
         {
             int next = -1;
             double first = h > 0 ? h : double.Epsilon;
-            for (int i = 0; i < _solver.ContactCount && !IsSpent; i++)
+            for (int i = 0; i < _system.ContactCount && !IsSpent; i++)
             {
-                double time = BounceTime(in _solver.Contacts[i], states);
+                double time = BounceTime(in _system.Contacts[i], states);
                 next = time < first ? i : next;
                 first = Math.Min(first, time);
             }
@@ -91,7 +91,7 @@ internal sealed class PileBounces
                 break;
             }
 
-            Bounce(in _solver.Contacts[next], states, logs);
+            Bounce(in _system.Contacts[next], states, logs);
             _bounces++;
             bounced = true;
         }
@@ -100,10 +100,10 @@ internal sealed class PileBounces
     }
 
     /// <summary>Returns the time at which a contact closes and bounces, s; infinite if it does not.</summary>
-    private double BounceTime(in PileContact contact, BallState[] states)
+    private double BounceTime(in Contact contact, BallState[] states)
     {
-        ref readonly PileMember a = ref _solver.Members[contact.First];
-        Vector3d other = contact.Second < 0 ? contact.Velocity : states[_solver.Members[contact.Second].Ball].Velocity;
+        ref readonly PileMember a = ref _system.Members[contact.First];
+        Vector3d other = contact.Second < 0 ? contact.Velocity : states[_system.Members[contact.Second].Ball].Velocity;
         double closing = -Vector3d.Dot(states[a.Ball].Velocity - other, in contact.Normal);
         World world = _simulators[a.Ball].World;
         double least = Math.Max(LeastBounce, world.MinimumBounceSpeed);
@@ -121,19 +121,19 @@ internal sealed class PileBounces
         }
 
         // The gap closes under constant forces: gap = c t + b t²/2.
-        Vector3d pull = contact.Second < 0 ? a.Free.Acceleration : a.Free.Acceleration - _solver.Members[contact.Second].Free.Acceleration;
+        Vector3d pull = contact.Second < 0 ? a.Free.Acceleration : a.Free.Acceleration - _system.Members[contact.Second].Free.Acceleration;
         double square = (closing * closing) - (2.0 * contact.Gap * Vector3d.Dot(in pull, in contact.Normal));
         return contact.Gap <= ContactTolerances.Touching ? 0 : square > 0 ? 2.0 * contact.Gap / (closing + Math.Sqrt(square)) : double.PositiveInfinity;
     }
 
-    private void Bounce(in PileContact contact, BallState[] states, StepLog[] logs)
+    private void Bounce(in Contact contact, BallState[] states, StepLog[] logs)
     {
-        int ball = _solver.Members[contact.First].Ball;
+        int ball = _system.Members[contact.First].Ball;
         ref BallState s = ref states[ball];
         Simulator simulator = _simulators[ball];
         if (contact.Second >= 0)
         {
-            int other = _solver.Members[contact.Second].Ball;
+            int other = _system.Members[contact.Second].Ball;
             ref BallState its = ref states[other];
             BallProperties own = simulator.Scene.Ball;
             BallProperties second = _simulators[other].Scene.Ball;

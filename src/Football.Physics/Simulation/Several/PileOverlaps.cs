@@ -4,8 +4,8 @@ namespace FootballPhysics.Simulation;
 
 /// <summary>Resolves the overlaps of a pile after a part. No ball enters a stationary object.</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>
-/// <param name="solver">The pile's balls and contacts.</param>
-internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
+/// <param name="system">The pile's balls and contacts.</param>
+internal sealed class PileOverlaps(Simulator[] simulators, PileSystem system)
 {
     /// <summary>Maximum number of iterations for overlaps of balls and objects, and for corners.</summary>
     private const int MostRounds = 128;
@@ -27,14 +27,16 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
-            for (int i = 0; i < solver.ContactCount; i++)
+            for (int i = 0; i < system.ContactCount; i++)
             {
-                ref readonly PileContact contact = ref solver.Contacts[i];
+                ref readonly Contact contact = ref system.Contacts[i];
                 if (contact.Second >= 0)
                 {
-                    ref readonly PileMember a = ref solver.Members[contact.First];
-                    ref readonly PileMember b = ref solver.Members[contact.Second];
-                    Vector3d apart = states[a.Ball].Position - states[b.Ball].Position;
+                    ref readonly PressedBall a = ref system.Balls[contact.First];
+                    ref readonly PressedBall b = ref system.Balls[contact.Second];
+                    ref BallState s = ref states[system.Members[contact.First].Ball];
+                    ref BallState its = ref states[system.Members[contact.Second].Ball];
+                    Vector3d apart = s.Position - its.Position;
                     double most = a.Radius + b.Radius;
                     double square = apart.LengthSquared;
                     if (square < most * most)
@@ -42,22 +44,22 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         double distance = Math.Sqrt(square);
                         double over = most - distance;
                         Vector3d shift = distance > 0 ? over * contact.NormalMass / distance * apart : over * contact.NormalMass * BallContact.Normal(in apart, 0);
-                        states[a.Ball].Position += a.PerMass * shift;
-                        states[b.Ball].Position -= b.PerMass * shift;
+                        s.Position += a.PerMass * shift;
+                        its.Position -= b.PerMass * shift;
                         moved |= over > ContactTolerances.PileOverlap;
                     }
                 }
             }
 
-            for (int i = 0; i < solver.Count; i++)
+            for (int i = 0; i < system.Count; i++)
             {
-                moved |= KeepOut(in solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
+                moved |= KeepOut(i, states, round == 0 ? OutOfTheWay * duration : 0);
             }
         }
 
-        for (int i = 0; i < solver.Count; i++)
+        for (int i = 0; i < system.Count; i++)
         {
-            StayOut(in solver.Members[i], states);
+            StayOut(i, states);
         }
     }
 
@@ -65,14 +67,13 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
     public double Deepest(BallState[] states)
     {
         double deepest = 0;
-        for (int i = 0; i < solver.ContactCount; i++)
+        for (int i = 0; i < system.ContactCount; i++)
         {
-            ref readonly PileContact contact = ref solver.Contacts[i];
+            ref readonly Contact contact = ref system.Contacts[i];
             if (contact.Second >= 0)
             {
-                ref readonly PileMember a = ref solver.Members[contact.First];
-                ref readonly PileMember b = ref solver.Members[contact.Second];
-                deepest = Math.Max(deepest, a.Radius + b.Radius - (states[a.Ball].Position - states[b.Ball].Position).Length);
+                Vector3d apart = states[system.Members[contact.First].Ball].Position - states[system.Members[contact.Second].Ball].Position;
+                deepest = Math.Max(deepest, system.Balls[contact.First].Radius + system.Balls[contact.Second].Radius - apart.Length);
             }
         }
 
@@ -81,8 +82,9 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 
     /// <summary>Pushes a ball out of all stationary objects, or back to its old position: many balls may push it past the known
     /// contacts.</summary>
-    private void StayOut(in PileMember member, BallState[] states)
+    private void StayOut(int index, BallState[] states)
     {
+        ref readonly PileMember member = ref system.Members[index];
         World world = simulators[member.Ball].World;
         ref BallState s = ref states[member.Ball];
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
@@ -121,34 +123,36 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
     /// <summary>Pushes a ball out of stationary objects.</summary>
     public void KeepOut(int member, BallState[] states)
     {
-        KeepOut(in solver.Members[member], states, 0);
-        StayOut(in solver.Members[member], states);
+        KeepOut(member, states, 0);
+        StayOut(member, states);
     }
 
     /// <summary>Pushes a ball out of objects that it overlaps; stationary ones last, so that the ball does not enter them.</summary>
     /// <returns>True if it overlapped an object.</returns>
-    private bool KeepOut(in PileMember member, BallState[] states, double outOfTheWay)
+    private bool KeepOut(int index, BallState[] states, double outOfTheWay)
     {
-        World world = simulators[member.Ball].World;
-        ref BallState s = ref states[member.Ball];
+        int ball = system.Members[index].Ball;
+        World world = simulators[ball].World;
+        ref BallState s = ref states[ball];
+        Span<Contact> contacts = system.OwnContactsOf(index);
         bool moved = false;
-        bool inside = member.OwnContacts > 0;
+        bool inside = contacts.Length > 0;
         for (int round = 0; round < MostCorners && inside; round++)
         {
             inside = false;
             for (int pass = 0; pass < 2; pass++)
             {
                 Vector3d from = s.Position;
-                for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
+                foreach (ref readonly Contact contact in contacts)
                 {
-                    if (solver.Contacts[i].Moves != (pass == 0))
+                    if (contact.Moves != (pass == 0))
                     {
                         continue;
                     }
 
-                    Collider collider = world.ByIndex[solver.Contacts[i].Collider];
+                    Collider collider = world.ByIndex[contact.Collider];
                     ShapePoint at = collider.At(s.Position, s.Time);
-                    double over = member.Radius - at.Distance;
+                    double over = world.Ball.Radius - at.Distance;
                     if (over > ContactTolerances.PileCorrection && (pass == 1 || round == 0))
                     {
                         s.Position += (pass == 0 ? Math.Min(over, outOfTheWay) : over) * at.Normal;

@@ -6,7 +6,7 @@ namespace FootballPhysics.Tests.Things;
 /// The impulses of a contact set against what they must be, whoever found them: J_n ≥ 0, no contact closes, J_n only where it would, |J_t| ≤ μ J_n,
 /// and as much as that against the slip where one is left.
 /// </summary>
-public sealed class ContactSolverTests
+public sealed class ImpulseSolverTests
 {
     private const double Radius = 0.11;
 
@@ -28,18 +28,18 @@ public sealed class ContactSolverTests
         foreach (ref Contact contact in set)
         {
             contact.Load = 1;
-            contact.Friction = new Vector3d(1, 0, 0);
+            contact.Rub = new Vector3d(1, 0, 0);
         }
 
         const double Duration = 5e-4;
-        Assert.True(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(0, -9.81, 0), Vector3d.Zero), Duration, 1e-9));
-        Assert.True(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(1, -9.81, -1), Vector3d.Zero), Duration, 1e-9));
-        Assert.False(ContactSolver.Holds(set, world, new MotionRates(new Vector3d(0, 9.81, 0), Vector3d.Zero), Duration, 1e-9));
+        Assert.True(ImpulseSolver.Holds(set, world, new MotionRates(new Vector3d(0, -9.81, 0), Vector3d.Zero), Duration, 1e-9));
+        Assert.True(ImpulseSolver.Holds(set, world, new MotionRates(new Vector3d(1, -9.81, -1), Vector3d.Zero), Duration, 1e-9));
+        Assert.False(ImpulseSolver.Holds(set, world, new MotionRates(new Vector3d(0, 9.81, 0), Vector3d.Zero), Duration, 1e-9));
         Assert.Equal(1, set[0].Load);
         ContactSet.Forget(set);
         foreach (ref readonly Contact contact in set)
         {
-            Assert.Equal((0, Vector3d.Zero), (contact.Load, contact.Friction));
+            Assert.Equal((0, Vector3d.Zero), (contact.Load, contact.Rub));
         }
     }
 
@@ -67,7 +67,7 @@ public sealed class ContactSolverTests
             Vector3d freeW = state.Spin;
             Vector3d v = freeV;
             Vector3d w = freeW;
-            if (!ContactSolver.Solve(set, ball, duration, ref v, ref w))
+            if (!ImpulseSolver.Solve(set, ball, duration, ref v, ref w))
             {
                 continue;
             }
@@ -82,8 +82,8 @@ public sealed class ContactSolverTests
             int heaviest = 0;
             for (int k = 0; k < count; k++)
             {
-                pushed += (set[k].Load * set[k].Normal) + set[k].Friction;
-                turned -= Vector3d.Cross(set[k].Normal, set[k].Friction) / (ball.InertiaFactor * Radius);
+                pushed += ((set[k].Load * set[k].Normal) + set[k].Rub) / ball.Mass;
+                turned -= Radius * Vector3d.Cross(set[k].Normal, set[k].Rub) / ball.MomentOfInertia;
                 heaviest = set[k].Load > set[heaviest].Load ? k : heaviest;
             }
 
@@ -106,13 +106,13 @@ public sealed class ContactSolverTests
                 Assert.True(contact.Load >= 0);
                 Assert.True(closing >= -close, $"{closing} of {i}, {k}");
                 Assert.True(contact.Load * closing <= close * scale, $"bears {contact.Load} while it opens at {closing}");
-                Assert.Equal(0, Vector3d.Dot(contact.Friction, contact.Normal), close);
-                Assert.True(contact.Friction.Length <= most + close);
+                Assert.Equal(0, Vector3d.Dot(contact.Rub, contact.Normal), close);
+                Assert.True(contact.Rub.Length <= most + close);
                 if (contact.Load < 0.01)
                 {
                     open++;
                 }
-                else if (contact.Friction.Length < most * (1 - 1e-3))
+                else if (contact.Rub.Length < most * (1 - 1e-3))
                 {
                     // It grips.
                     gripped++;
@@ -122,7 +122,7 @@ public sealed class ContactSolverTests
                 {
                     // It slips: all of the friction, against the slip.
                     slipped++;
-                    Assert.Equal(-1, Vector3d.Dot(contact.Friction / contact.Friction.Length, slip / slip.Length), 1e-4);
+                    Assert.Equal(-1, Vector3d.Dot(contact.Rub / contact.Rub.Length, slip / slip.Length), 1e-4);
                 }
             }
         }
@@ -138,7 +138,7 @@ public sealed class ContactSolverTests
         Vector3d n = contact.Normal;
         ContactMaterial material = contact.Material;
         double inertia = ball.MomentOfInertia;
-        double drills = material.Resistance.MostDrilling(contact.Load) * ball.Mass / inertia;
+        double drills = material.Resistance.MostDrilling(contact.Load) / inertia;
         double free = Vector3d.Dot(in before, in n);
 
         // Damped implicitly, ω/(1 + c h/I), then drilled towards zero.
@@ -150,9 +150,9 @@ public sealed class ContactSolverTests
         Vector3d across = taken - (Vector3d.Dot(in taken, in n) * n);
         Vector3d turning = after - (Vector3d.Dot(in after, in n) * n);
         double share = material.Resistance.MostRolling(1, (v - contact.Velocity).Length);
-        double most = contact.Rolls ? (1 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * Radius) : 0;
+        double most = contact.Sticks ? (1 + ball.InertiaFactor) * share * contact.Load * Radius / inertia : 0;
         Assert.InRange(across.Length, 0, most + spinScale);
-        if (contact.Rolls && turning.Length > 0.1 && most > 0.01)
+        if (contact.Sticks && turning.Length > 0.1 && most > 0.01)
         {
             Assert.Equal(most, across.Length, spinScale + (0.01 * most));
             Assert.True(Vector3d.Dot(in across, in turning) < 0);
@@ -169,7 +169,7 @@ public sealed class ContactSolverTests
             Span<Contact> set = ContactSet.Near(world, in state, 0.1, new Contact[ContactSet.Room], world.Room);
             Vector3d v = state.Velocity;
             Vector3d w = state.Spin;
-            if (!ContactSolver.Solve(set, world.Ball, 0.01, ref v, ref w))
+            if (!ImpulseSolver.Solve(set, world.Ball, 0.01, ref v, ref w))
             {
                 continue;
             }
@@ -177,14 +177,14 @@ public sealed class ContactSolverTests
             Contact[] first = set.ToArray();
             Vector3d again = state.Velocity;
             Vector3d turn = state.Spin;
-            Assert.True(ContactSolver.Solve(set, world.Ball, 0.01, ref again, ref turn));
+            Assert.True(ImpulseSolver.Solve(set, world.Ball, 0.01, ref again, ref turn));
             Assert.InRange((v - again).Length, 0, 1e-6);
             Assert.InRange(Radius * (w - turn).Length, 0, 1e-6);
 
             // And a few rounds more change nothing of them, with or without them to begin with.
             again = state.Velocity;
             turn = state.Spin;
-            ContactSolver.Solve(first, world.Ball, 0.01, ref again, ref turn, rounds: ContactSolver.RoundsInVain);
+            ImpulseSolver.Solve(first, world.Ball, 0.01, ref again, ref turn, rounds: ImpulseSolver.RoundsInVain);
             Assert.InRange((v - again).Length, 0, 1e-6);
         }
     }

@@ -4,7 +4,7 @@ using FootballPhysics.Simulation;
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Impulses of a pile against closed forms and balances.</summary>
-public sealed class PileSolverTests
+public sealed class PileSystemTests
 {
     private const double Mass = 0.43;
     private const double Radius = 0.11;
@@ -17,12 +17,12 @@ public sealed class PileSolverTests
     public void A_column_bears_its_weight(int count)
     {
         const double Pull = 0.00981;
-        PileSolver solver = Of(count);
+        PileSystem solver = Of(count);
         for (int i = 0; i < count; i++)
         {
-            solver.Members[i].V = new Vector3d(0, -Pull, 0);
-            solver.Members[i].FirstContact = solver.ContactCount;
-            solver.Members[i].OwnContacts = i == 0 ? 1 : 0;
+            solver.Balls[i].V = new Vector3d(0, -Pull, 0);
+            solver.Balls[i].FirstContact = solver.ContactCount;
+            solver.Balls[i].OwnContacts = i == 0 ? 1 : 0;
             if (i == 0)
             {
                 solver.Add(Ground(0));
@@ -52,20 +52,20 @@ public sealed class PileSolverTests
     public void Balls_move_at_their_mean_velocity_unless_one_hits_the_other(double rate, bool hits)
     {
         const double Gain = 0.01;
-        PileSolver solver = Of(2);
+        PileSystem solver = Of(2);
         solver.Members[0].StartV = new Vector3d(1 + rate, 0, 0);
         solver.Members[1].StartV = new Vector3d(1, 0, 0);
-        solver.Members[0].V = solver.Members[0].StartV + new Vector3d(Gain, 0, 0);
-        solver.Members[1].V = solver.Members[1].StartV + new Vector3d(2 * Gain, 0, 0);
+        solver.Balls[0].V = solver.Members[0].StartV + new Vector3d(Gain, 0, 0);
+        solver.Balls[1].V = solver.Members[1].StartV + new Vector3d(2 * Gain, 0, 0);
         solver.Add(Between(0, 1, new Vector3d(1, 0, 0), 0));
         solver.Solve(1e-3, 1000, 1e-15);
         solver.SetWays();
         double end = 1 + (0.5 * rate) + (1.5 * Gain);
         for (int i = 0; i < 2; i++)
         {
-            ref readonly PileMember ball = ref solver.Members[i];
-            Assert.Equal(end, ball.V.X, 1e-12);
-            Assert.Equal(hits ? end : 0.5 * (ball.StartV.X + end), ball.Way.X, 1e-12);
+            ref readonly PileMember member = ref solver.Members[i];
+            Assert.Equal(end, solver.Balls[i].V.X, 1e-12);
+            Assert.Equal(hits ? end : 0.5 * (member.StartV.X + end), member.Way.X, 1e-12);
         }
     }
 
@@ -76,12 +76,12 @@ public sealed class PileSolverTests
     public void A_column_needs_few_rounds(int rounds, double left)
     {
         const double Pull = 0.00981;
-        PileSolver solver = Of(12);
+        PileSystem solver = Of(12);
         for (int i = 0; i < 12; i++)
         {
-            solver.Members[i].V = new Vector3d(0, -Pull, 0);
-            solver.Members[i].FirstContact = solver.ContactCount;
-            solver.Members[i].OwnContacts = i == 0 ? 1 : 0;
+            solver.Balls[i].V = new Vector3d(0, -Pull, 0);
+            solver.Balls[i].FirstContact = solver.ContactCount;
+            solver.Balls[i].OwnContacts = i == 0 ? 1 : 0;
             if (i == 0)
             {
                 solver.Add(Ground(0));
@@ -107,12 +107,12 @@ public sealed class PileSolverTests
         const double H = 1e-3;
         var random = new Random(seed);
         Vector3d Draw() => new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
-        PileSolver solver = Of(7);
+        PileSystem solver = Of(7);
         Vector3d[] places = [default, .. Enumerable.Range(0, 6).Select(i => 2 * Radius * (i < 3 ? 1 : -1) * new Vector3d(i % 3 == 0 ? 1 : 0, i % 3 == 1 ? 1 : 0, i % 3 == 2 ? 1 : 0))];
         for (int i = 0; i < 7; i++)
         {
-            solver.Members[i].V = Draw() - (4.0 * places[i]);
-            solver.Members[i].W = 20.0 * Draw();
+            solver.Balls[i].V = Draw() - (4.0 * places[i]);
+            solver.Balls[i].W = 20.0 * Draw();
         }
 
         for (int i = 1; i < 7; i++)
@@ -129,11 +129,11 @@ public sealed class PileSolverTests
         int pressed = 0;
         for (int i = 0; i < solver.ContactCount; i++)
         {
-            ref readonly PileContact contact = ref solver.Contacts[i];
-            double rate = Vector3d.Dot(solver.Members[contact.First].V - solver.Members[contact.Second].V, in contact.Normal);
+            ref readonly Contact contact = ref solver.Contacts[i];
+            double rate = Vector3d.Dot(solver.Balls[contact.First].V - solver.Balls[contact.Second].V, in contact.Normal);
             Assert.InRange(rate + (contact.Gap / H), -1e-9, double.PositiveInfinity);
-            Assert.InRange(contact.Rub.Length, 0, contact.Resistance.MostFriction(contact.Load) + 1e-12);
-            Assert.InRange(Math.Abs(contact.Twist), 0, contact.Resistance.MostDrilling(contact.Load) + 1e-12);
+            Assert.InRange(contact.Rub.Length, 0, contact.Material.Resistance.MostFriction(contact.Load) + 1e-12);
+            Assert.InRange(Math.Abs(contact.Twist), 0, contact.Material.Resistance.MostDrilling(contact.Load) + 1e-12);
             pressed += contact.Load > 0 ? 1 : 0;
         }
 
@@ -148,15 +148,15 @@ public sealed class PileSolverTests
     public void The_ground_slows_a_ball_as_its_surface_says(double speed, double slip, double about)
     {
         const double Pull = 0.01;
-        PileSolver solver = Of(1);
-        solver.Members[0].V = new Vector3d(speed, -Pull, 0);
-        solver.Members[0].W = new Vector3d(0, about, -(speed - slip) / Radius);
-        solver.Members[0].OwnContacts = 1;
+        PileSystem solver = Of(1);
+        solver.Balls[0].V = new Vector3d(speed, -Pull, 0);
+        solver.Balls[0].W = new Vector3d(0, about, -(speed - slip) / Radius);
+        solver.Balls[0].OwnContacts = 1;
         solver.Add(Ground(0));
         solver.Solve(1e-3, 400, 1e-15);
-        double slowed = speed - solver.Members[0].V.X;
+        double slowed = speed - solver.Balls[0].V.X;
         Assert.Equal(slip > 0 ? 0.5 * Pull : speed > 0 ? 0.07 * Pull : 0, slowed, 1e-9);
-        Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Members[0].W.Y, 1e-9);
+        Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Balls[0].W.Y, 1e-9);
     }
 
     /// <summary>On a surface that moves, friction, rolling resistance and the load depend on the velocity relative to it.</summary>
@@ -168,19 +168,19 @@ public sealed class PileSolverTests
     {
         const double Pull = 0.01;
         var motion = new Vector3d(3, lift, -1);
-        PileSolver[] solvers = [Of(1), Of(1)];
-        foreach (PileSolver solver in solvers)
+        PileSystem[] solvers = [Of(1), Of(1)];
+        foreach (PileSystem solver in solvers)
         {
             bool moves = solver == solvers[1];
-            solver.Members[0].V = new Vector3d(1, -Pull, 0) + (moves ? motion : Vector3d.Zero);
-            solver.Members[0].W = new Vector3d(0, 0, -(1 - slip) / Radius);
-            solver.Members[0].OwnContacts = 1;
+            solver.Balls[0].V = new Vector3d(1, -Pull, 0) + (moves ? motion : Vector3d.Zero);
+            solver.Balls[0].W = new Vector3d(0, 0, -(1 - slip) / Radius);
+            solver.Balls[0].OwnContacts = 1;
             solver.Add(Ground(0) with { Velocity = moves ? motion : Vector3d.Zero });
             solver.Solve(1e-3, 400, 1e-15);
         }
 
-        Assert.InRange((solvers[1].Members[0].V - motion - solvers[0].Members[0].V).Length, 0, 1e-9);
-        Assert.InRange((solvers[1].Members[0].W - solvers[0].Members[0].W).Length, 0, 1e-8);
+        Assert.InRange((solvers[1].Balls[0].V - motion - solvers[0].Balls[0].V).Length, 0, 1e-9);
+        Assert.InRange((solvers[1].Balls[0].W - solvers[0].Balls[0].W).Length, 0, 1e-8);
         Assert.Equal(Mass * Pull, solvers[1].Contacts[0].Load, 1e-12);
     }
 
@@ -190,13 +190,13 @@ public sealed class PileSolverTests
     {
         const double H = 0.01;
         const double Damping = 2e-3;
-        PileSolver solver = Of(1);
-        solver.Members[0].V = new Vector3d(0, -0.01, 0);
-        solver.Members[0].W = new Vector3d(0, 30, 0);
-        solver.Members[0].OwnContacts = 1;
-        solver.Add(Ground(0) with { Resistance = new Resistance(0.5, 0.07, 0, Damping, 0) });
+        PileSystem solver = Of(1);
+        solver.Balls[0].V = new Vector3d(0, -0.01, 0);
+        solver.Balls[0].W = new Vector3d(0, 30, 0);
+        solver.Balls[0].OwnContacts = 1;
+        solver.Add(Ground(0) with { Material = new ContactMaterial { Resistance = new Resistance(0.5, 0.07, 0, Damping, 0) } });
         solver.Solve(H, 400, 1e-15);
-        Assert.Equal(30 / (1 + (Damping * H / Inertia)), solver.Members[0].W.Y, 1e-9);
+        Assert.Equal(30 / (1 + (Damping * H / Inertia)), solver.Balls[0].W.Y, 1e-9);
     }
 
     /// <summary>Of several surfaces the one with the greatest load resists a roll, in any order of the contacts.</summary>
@@ -206,16 +206,16 @@ public sealed class PileSolverTests
     public void The_surface_with_the_greatest_load_slows_a_roll(bool wallIsFirst)
     {
         const double Pull = 0.01;
-        PileSolver solver = Of(1);
-        solver.Members[0].V = new Vector3d(-0.1 * Pull, -Pull, 1);
-        solver.Members[0].W = new Vector3d(1 / Radius, 0, 0);
-        solver.Members[0].OwnContacts = 2;
-        PileContact wall = Ground(0) with { Normal = new Vector3d(1, 0, 0), Resistance = new Resistance(0, 0.9, 0, 0, 0.02) };
+        PileSystem solver = Of(1);
+        solver.Balls[0].V = new Vector3d(-0.1 * Pull, -Pull, 1);
+        solver.Balls[0].W = new Vector3d(1 / Radius, 0, 0);
+        solver.Balls[0].OwnContacts = 2;
+        Contact wall = Ground(0) with { Normal = new Vector3d(1, 0, 0), Material = new ContactMaterial { Resistance = new Resistance(0, 0.9, 0, 0, 0.02) } };
         solver.Add(wallIsFirst ? wall : Ground(0));
         solver.Add(wallIsFirst ? Ground(0) : wall);
         solver.Solve(1e-3, 400, 1e-15);
         Assert.Equal(wallIsFirst ? 1 : 0, solver.BearerOf(0));
-        Assert.Equal(0.07 * Pull, 1 - solver.Members[0].V.Z, 1e-9);
+        Assert.Equal(0.07 * Pull, 1 - solver.Balls[0].V.Z, 1e-9);
         Assert.Equal(0.1 * Mass * Pull, solver.Contacts[wallIsFirst ? 0 : 1].Load, 1e-9);
     }
 
@@ -226,36 +226,33 @@ public sealed class PileSolverTests
     [InlineData(1.3, true)]
     public void Contacts_that_stand_still_do_no_work(double faster, bool moves)
     {
-        const double H = 1e-3;
         var random = new Random(12);
         Vector3d Draw() => new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
-        PileSolver solver = Of(3);
+        PileSystem solver = Of(3);
         for (int i = 0; i < 3; i++)
         {
-            ref PileMember ball = ref solver.Members[i];
-            ball.StartV = Draw();
-            ball.StartW = 10 * Draw();
-            ball.Free = new MotionRates(10 * Draw(), 20 * Draw());
-            ball.V = faster * (ball.StartV + (H * ball.Free.Acceleration));
-            ball.W = faster * (ball.StartW + (H * ball.Free.SpinAcceleration));
+            ref PressedBall ball = ref solver.Balls[i];
+            ball.FreeV = Draw();
+            ball.FreeW = 10 * Draw();
+            ball.V = faster * ball.FreeV;
+            ball.W = faster * ball.FreeW;
             solver.Add(Ground(i) with { Velocity = moves && i == 1 ? new Vector3d(1, 0, 0) : default });
         }
 
-        PileMember[] before = [.. solver.Members];
+        PressedBall[] before = [.. solver.Balls];
         double worked = Work();
         Assert.Equal(faster > 1, worked > 0);
-        solver.LimitWork(H);
+        solver.LimitWork();
         bool limits = faster > 1 && !moves;
         Assert.Equal(limits ? 0 : worked, Work(), 1e-12);
         double share = limits ? 1 / faster : 1;
         for (int i = 0; i < 3; i++)
         {
-            Assert.InRange((solver.Members[i].V - (share * before[i].V)).Length, 0, 1e-12);
-            Assert.InRange((solver.Members[i].W - (share * before[i].W)).Length, 0, 1e-11);
+            Assert.InRange((solver.Balls[i].V - (share * before[i].V)).Length, 0, 1e-12);
+            Assert.InRange((solver.Balls[i].W - (share * before[i].W)).Length, 0, 1e-11);
         }
 
-        double Work() => solver.Members.Sum(ball =>
-            (Mass * Vector3d.Dot(ball.V - ball.StartV - (H * ball.Free.Acceleration), ball.V)) + (Inertia * Vector3d.Dot(ball.W - ball.StartW - (H * ball.Free.SpinAcceleration), ball.W)));
+        double Work() => solver.Balls.Sum(ball => (Mass * Vector3d.Dot(ball.V - ball.FreeV, ball.V)) + (Inertia * Vector3d.Dot(ball.W - ball.FreeW, ball.W)));
     }
 
     /// <summary>Of several overlaps the deepest counts, and gaps do not.</summary>
@@ -266,7 +263,7 @@ public sealed class PileSolverTests
     [InlineData(-0.02, -0.01)]
     public void The_deepest_overlap_of_a_pile(double first, double second)
     {
-        PileSolver solver = Of(3);
+        PileSystem solver = Of(3);
         solver.Add(Ground(0));
         solver.Add(Between(0, 1, new Vector3d(0, -1, 0), -first));
         solver.Add(Between(1, 2, new Vector3d(0, -1, 0), -second));
@@ -276,28 +273,29 @@ public sealed class PileSolverTests
         Assert.Equal(Math.Max(0, Math.Max(first, second)), new PileOverlaps([simulator, simulator, simulator], solver).Deepest(states), 1e-12);
     }
 
-    private static PileSolver Of(int count)
+    private static PileSystem Of(int count)
     {
-        var solver = new PileSolver { Members = new PileMember[count], Count = count };
+        var solver = new PileSystem { Members = new PileMember[count], Balls = new PressedBall[count], Count = count };
         for (int i = 0; i < count; i++)
         {
-            solver.Members[i] = new PileMember { Ball = i, PerMass = 1 / Mass, PerInertia = 1 / Inertia, InertiaFactor = 2.0 / 3, Radius = Radius };
+            solver.Members[i].Ball = i;
+            solver.Balls[i] = new PressedBall { PerMass = 1 / Mass, PerInertia = 1 / Inertia, InertiaFactor = 2.0 / 3, Radius = Radius };
         }
 
         return solver;
     }
 
-    private static PileContact Ground(int ball) => new()
+    private static Contact Ground(int ball) => new()
     {
         First = ball,
         Second = -1,
         Normal = Vector3d.Up,
         NormalMass = Mass,
         SlipMass = 1 / ((1 / Mass) + (Radius * Radius / Inertia)),
-        Resistance = new Resistance(0.5, 0.07, 0, 0, 0.02),
+        Material = new ContactMaterial { Resistance = new Resistance(0.5, 0.07, 0, 0, 0.02) },
     };
 
-    private static PileContact Between(int first, int second, Vector3d normal, double gap) => new()
+    private static Contact Between(int first, int second, Vector3d normal, double gap) => new()
     {
         First = first,
         Second = second,
@@ -307,17 +305,17 @@ public sealed class PileSolverTests
         NormalMass = Mass / 2,
         SlipMass = 0.5 / ((1 / Mass) + (Radius * Radius / Inertia)),
         TwistMass = Inertia / 2,
-        Resistance = new Resistance(0.4, 0, 0, 0, 0.004),
+        Material = new ContactMaterial { Resistance = new Resistance(0.4, 0, 0, 0, 0.004) },
     };
 
-    private static (Vector3d Momentum, Vector3d Turning, double Energy) Balance(PileSolver solver, Vector3d[] places)
+    private static (Vector3d Momentum, Vector3d Turning, double Energy) Balance(PileSystem solver, Vector3d[] places)
     {
         Vector3d momentum = default;
         Vector3d turning = default;
         double energy = 0;
         for (int i = 0; i < solver.Count; i++)
         {
-            ref readonly PileMember ball = ref solver.Members[i];
+            ref readonly PressedBall ball = ref solver.Balls[i];
             momentum += Mass * ball.V;
             turning += (Inertia * ball.W) + (Mass * Vector3d.Cross(in places[i], in ball.V));
             energy += 0.5 * ((Mass * ball.V.LengthSquared) + (Inertia * ball.W.LengthSquared));
