@@ -32,7 +32,7 @@ internal sealed partial class ContactSetParts
         while (run.TakesParts(_world))
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-            run.Parts++;
+            run.Spent.Parts++;
 
             // Velocity and spin from the forces alone: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -87,7 +87,7 @@ internal sealed partial class ContactSetParts
         }
 
         // End the squeeze if no mover pushed the ball in the last part, or if the ball has room. In a group, a step calls this method several times.
-        if (run.Squeezes <= MostSqueezes && (isFree || HasRoom(in s)) && !run.Log.Halted)
+        if (run.Spent.Squeezes <= MostSqueezes && (isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
         }

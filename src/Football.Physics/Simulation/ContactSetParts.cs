@@ -165,8 +165,8 @@ internal sealed partial class ContactSetParts
         part.Meets = at <= h;
 
         // Do not count a part that an impact or a turning normal cut short: the remaining parts must cover the rest.
-        run.Parts += part.Meets || part.Turns ? 0 : 1;
-        run.Turns += part.Turns ? 1 : 0;
+        run.Spent.Parts += part.Meets || part.Turns ? 0 : 1;
+        run.Spent.Turns += part.Turns ? 1 : 0;
 
         // Within a part, v and ω are linear in time: interpolate a shortened part.
         double length = part.Meets ? at : h;
@@ -208,7 +208,7 @@ internal sealed partial class ContactSetParts
     /// <summary>Returns the length of equal parts for the rest of a step, s.</summary>
     /// <remarks>If only a few parts are left, each is longer.</remarks>
     private static double LengthOfPart(in StepRun run, double requested) =>
-        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / requested)));
+        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Spent.Parts, Math.Ceiling(run.Left / requested)));
 
     /// <summary>Returns the acceleration without its component along ω × u (the Magnus force).</summary>
     /// <remarks>The Magnus force turns with the velocity and does no work, however fast the velocity turns.</remarks>

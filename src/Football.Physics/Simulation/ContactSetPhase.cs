@@ -66,7 +66,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
-        if (run.Rattles || set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
+        if (run.Rattles || set.Length > ContactSystem.Most || run.Spent.SetChanges > MostChanges || run.Spent.SetPieces >= MostPieces)
         {
             return TakeParts(ref s, ref run);
         }
@@ -168,7 +168,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         system.Branch = _jump.OnSurface(s.Branch, in piece.From);
         system.BeginTrace();
         int evaluations = 0;
-        double sticking = run.SetPieces < ManyPieces ? ContactTolerances.Sticking : ContactTolerances.StickingAfterMany;
+        double sticking = run.Spent.SetPieces < ManyPieces ? ContactTolerances.Sticking : ContactTolerances.StickingAfterMany;
         bool found = ContactModes.Find(ref system, s.Time, in piece.From, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
@@ -263,8 +263,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         piece.Meets = _guard.EndAtFirst(ref sweep, in s, default(TMethod).Order, set, out piece.Met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
-        run.SetPieces++;
-        run.SetChanges += (changes || piece.Meets) && sweep.Length < whole ? 1 : 0;
+        run.Spent.SetPieces++;
+        run.Spent.SetChanges += (changes || piece.Meets) && sweep.Length < whole ? 1 : 0;
     }
 
     /// <summary>Moves the ball to the end of a piece, then projects it onto its contacts, because it drifts off curved surfaces.</summary>

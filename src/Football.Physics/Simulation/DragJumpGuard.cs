@@ -49,12 +49,12 @@ internal sealed class DragJumpGuard
         DragJump end = sweep.EndJump;
 
         // No crossing is possible, or the step alternates between the branches and has used up its splits.
-        if (run.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
+        if (run.Spent.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
         {
             return true;
         }
 
-        run.Splits++;
+        run.Spent.Splits++;
         if (start.Branch != branch)
         {
             // The state is on the jump in the drag law, to within rounding: keep the branch only if the motion leads away from the jump.
@@ -82,7 +82,7 @@ internal sealed class DragJumpGuard
     {
         double h = sweep.Length;
         DragBranch along = sweep.System.Branch;
-        if (run.Splits >= StepRun.MaximumSplits)
+        if (run.Spent.Splits >= StepRun.MaximumSplits)
         {
             return along;
         }
@@ -93,7 +93,7 @@ internal sealed class DragJumpGuard
         if (other <= 0)
         {
             double start = along == DragBranch.AlongCriticalSpeed ? sweep.StartJump.Spin : sweep.StartJump.Speed;
-            run.Splits++;
+            run.Spent.Splits++;
             sweep.Step(start > 0 ? h * start / (start - other) : 0);
             return DragBranch.NoSpin;
         }
@@ -109,7 +109,7 @@ internal sealed class DragJumpGuard
         // Outside this range, one branch leads off the surface: find the time when the share reaches its limit by the secant method.
         double startShare = sweep.System.SpinningShare(time, in from, out _, out _);
         run.Log.Evaluations += 2;
-        run.Splits++;
+        run.Spent.Splits++;
         double limit = share > 1 ? 1 : 0;
         double fraction = startShare is > 0 and < 1 ? (limit - startShare) / (share - startShare) : 0;
         sweep.Step(fraction * h);
@@ -123,7 +123,7 @@ internal sealed class DragJumpGuard
     public void EndAtCrossingOnGround<TSweep>(ref TSweep sweep, ref DragBranch branch, ref StepRun run)
         where TSweep : struct, IFlowSweep
     {
-        if (!Acts || run.Splits >= StepRun.MaximumSplits)
+        if (!Acts || run.Spent.Splits >= StepRun.MaximumSplits)
         {
             return;
         }
@@ -136,7 +136,7 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        run.Splits++;
+        run.Spent.Splits++;
         EndAtCrossingOnGround(ref sweep, ref branch, in start, in startRate, in end);
     }
 

@@ -34,7 +34,7 @@ internal sealed class ImpactResult
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         bool grips = ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
 
-        run.Fastest = hit.Moves ? Math.Max(run.Fastest, material.FastestBy(surface.Length)) : run.Fastest;
+        run.Spent.Fastest = hit.Moves ? Math.Max(run.Spent.Fastest, material.FastestBy(surface.Length)) : run.Spent.Fastest;
 
         // The separation speed is w = (v' − V')·n. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();

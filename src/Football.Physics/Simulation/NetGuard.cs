@@ -44,7 +44,7 @@ internal sealed class NetGuard
     }
 
     /// <summary>True for a ball in a net that has lost its grip too often in this step.</summary>
-    public static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
+    public static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Spent.Slips >= MostSlips;
 
     /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)

@@ -198,7 +198,7 @@ internal class SceneStepper<TIntegrator> : Stepper
         // Take the step on a copy, with the same phases, up to the first evaluation. A phase may first change the kind of motion.
         var probe = new ForceProbe(Around, scene);
         var run = new StepRun(dt, s.Time, new StepLog()) { Probe = probe };
-        run.Arrival = s.Velocity.Length;
+        run.Spent.Arrival = s.Velocity.Length;
         if (s.Motion == MotionState.Rest)
         {
             probe.Rest(in s);
@@ -311,7 +311,7 @@ internal class SceneStepper<TIntegrator> : Stepper
         World.SearchEvaluations = 0;
         var run = new StepRun(dt, s.Time, log) { Whole = whole };
         Vector3d from = s.Position;
-        run.Arrival = run.Pieces == 0 ? s.Velocity.Length : run.Arrival;
+        run.Spent.Arrival = run.Spent.Pieces == 0 ? s.Velocity.Length : run.Spent.Arrival;
         if (!log.Halted)
         {
             Separate(ref s, ref run);

@@ -51,8 +51,8 @@ internal ref struct StepRun
     /// <summary>End time of the step, s. The clock of the pieces never runs past it, not even by rounding.</summary>
     public double End;
 
-    /// <summary>Splits at the jump in the drag law so far.</summary>
-    public int Splits;
+    /// <summary>The counters that bound the work.</summary>
+    public StepBudget Spent;
 
     /// <summary>Length of the parts if the step had to be divided, s; otherwise 0.</summary>
     public double Part;
@@ -67,29 +67,8 @@ internal ref struct StepRun
     /// <summary>The rest of the step in flight, if it was already integrated and contains an event.</summary>
     public FlightStep Taken;
 
-    /// <summary>Pieces so far.</summary>
-    public int Pieces;
-
-    /// <summary>Impacts so far.</summary>
-    public int AllImpacts;
-
-    /// <summary>Number of changes of the contact set, or of its modes, while several contacts are active.</summary>
-    public int SetChanges;
-
-    /// <summary>Number of pieces with several active contacts so far.</summary>
-    public int SetPieces;
-
-    /// <summary>Parts with velocity-level impulses so far.</summary>
-    public int Parts;
-
-    /// <summary>Number of parts shortened because a contact normal turns.</summary>
-    public int Turns;
-
     /// <summary>Number of checks of whether friction holds a ball at rest that rolling resistance does not hold.</summary>
     public int Grips;
-
-    /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>
-    public int Named;
 
     /// <summary>True while the ball slips because its carrier's velocity jumped at the start of the step.</summary>
     /// <remarks>A slip that ends within the step is not reported.</remarks>
@@ -102,42 +81,12 @@ internal ref struct StepRun
     /// <remarks>It is bounded, so that short steps give finite results.</remarks>
     public readonly double PerStep => 1.0 / Math.Max(Length, ContactTolerances.ShortestForJumps);
 
-    /// <summary>Number of times the ball has lost grip and started to slip.</summary>
-    public int Slips;
-
-    /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
-    public int Squeezes;
-
-    /// <summary>Hits by moving objects so far.</summary>
-    public int Hits;
-
-    /// <summary>The speed of the ball at the start of the step, or after a later impact with another ball, m/s.</summary>
-    public double Arrival;
-
-    /// <summary>The speed that the fastest mover that has hit the ball in this step gives it, (1 + e) |V|, m/s.</summary>
-    public double Fastest;
-
-    /// <summary>Impacts that have followed one another at about one instant.</summary>
-    public int Quick;
-
-    /// <summary>Time of the last impact, s.</summary>
-    public double LastImpact;
-
-    /// <summary>Instants at which the ball stayed on a surface after an impact.</summary>
-    public int Stays;
-
-    /// <summary>Time of the last of these instants, s.</summary>
-    public double LastStay;
-
     /// <summary>True if the ball has stayed on surfaces so often that all surfaces nearby are contacts for the rest of the step.</summary>
     /// <remarks>Otherwise, a ball that forces press onto one surface while another one lifts it would hit them in turn without an end.</remarks>
-    public readonly bool Rattles => Stays > MostStays;
+    public readonly bool Rattles => Spent.Stays > MostStays;
 
     /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
-
-    /// <summary>Number of impacts that were merged and not reported one by one.</summary>
-    public int MergedImpacts;
 
     /// <summary>Length of the next piece that follows stiff custom forces, s; 0 if the scene's integrator follows them.</summary>
     public double Followed;
@@ -148,16 +97,13 @@ internal ref struct StepRun
     /// <summary>Ends the step at its first evaluation of the forces; null in every step of a ball.</summary>
     public ForceProbe? Probe;
 
-    private int _short;
-    private bool _isStiff;
     private bool _stalls;
 
     private int _firstZoneEvent;
     private long _lastEvaluation;
-    private int _eventsBefore;
 
     /// <summary>True if the step has changed the velocity by an impulse, or would solve its contacts by impulses.</summary>
-    public readonly bool HasImpulses => AllImpacts > 0 || Squeezes > 0 || Probe is { UsesImpulses: true };
+    public readonly bool HasImpulses => Spent.AllImpacts > 0 || Spent.Squeezes > 0 || Probe is { UsesImpulses: true };
 
     /// <summary>Starts a step.</summary>
     /// <param name="dt">Length of the step, s.</param>
@@ -174,36 +120,18 @@ internal ref struct StepRun
         _firstZoneEvent = log.ZoneEvents;
         if (log.Continues)
         {
-            Continue(in log.Spent);
+            Spent = log.Spent;
+            _lastEvaluation -= Spent.Evaluations;
         }
     }
 
     /// <summary>Saves the counters of a step that continues in a later call.</summary>
-    public readonly void Close() => Log.Spent = new StepBudget
+    public readonly void Close()
     {
-        Pieces = Pieces,
-        Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation,
-        Events = Reported,
-        Splits = Splits,
-        AllImpacts = AllImpacts,
-        MergedImpacts = MergedImpacts,
-        SetChanges = SetChanges,
-        SetPieces = SetPieces,
-        Parts = Parts,
-        Turns = Turns,
-        Named = Named,
-        Slips = Slips,
-        Squeezes = Squeezes,
-        Hits = Hits,
-        LastImpact = LastImpact,
-        Quick = Quick,
-        Stays = Stays,
-        LastStay = LastStay,
-        Arrival = Arrival,
-        Fastest = Fastest,
-        ShortPieces = _short,
-        IsStiff = _isStiff,
-    };
+        Log.Spent = Spent;
+        Log.Spent.Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation;
+        Log.Spent.Events = Reported;
+    }
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - ContactTolerances.StepRounding) : Left;
@@ -212,7 +140,7 @@ internal ref struct StepRun
     public readonly bool IsCrowded => Reported >= MostInCrowd;
 
     /// <summary>Number of events of this step so far, without zone events.</summary>
-    private readonly int Reported => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
+    private readonly int Reported => Spent.Events + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>True if a piece takes another part: the step has time and evaluations left, and no event has ended it.</summary>
     /// <param name="world">The world, which counts the searches.</param>
@@ -228,14 +156,14 @@ internal ref struct StepRun
     public bool Begin(World world)
     {
         Charge(world);
-        Pieces++;
-        if (Pieces % PiecesOfOneLength == 0)
+        Spent.Pieces++;
+        if (Spent.Pieces % PiecesOfOneLength == 0)
         {
             Part = 0;
             Spirals = false;
         }
 
-        bool goesOn = Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation && !_stalls;
+        bool goesOn = Spent.Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation && !_stalls;
         if (!goesOn && Followed > 0)
         {
             CountStiff();
@@ -245,7 +173,7 @@ internal ref struct StepRun
     }
 
     /// <summary>The shortest piece that follows custom forces, s: with it, the rest of the step stays within the budget.</summary>
-    public readonly double ShortestFollowed => _short < MostShort ? OwnForceGuard.ShortestPiece : ShortestOfAll;
+    public readonly double ShortestFollowed => Spent.ShortPieces < MostShort ? OwnForceGuard.ShortestPiece : ShortestOfAll;
 
     /// <summary>The same if all its pieces have this length.</summary>
     public readonly double ShortestOfAll => Left * EvaluationsToFollow / Math.Max(1, _lastEvaluation - Log.Evaluations);
@@ -259,13 +187,13 @@ internal ref struct StepRun
     }
 
     /// <summary>Counts a piece that is shorter than the budget allows for all.</summary>
-    public void CountShort(double h) => _short += h < ShortestOfAll ? 1 : 0;
+    public void CountShort(double h) => Spent.ShortPieces += h < ShortestOfAll ? 1 : 0;
 
     /// <summary>Counts the step as one whose custom forces were not followed.</summary>
     public void CountStiff()
     {
-        Log.StiffSteps += _isStiff ? 0 : 1;
-        _isStiff = true;
+        Log.StiffSteps += Spent.IsStiff ? 0 : 1;
+        Spent.IsStiff = true;
     }
 
     /// <summary>Counts the evaluations of gaps by the searches since the last call as evaluations of this step.</summary>
@@ -288,22 +216,22 @@ internal ref struct StepRun
     {
         Part = 0;
         Spirals = false;
-        return AllImpacts++ < MostImpacts;
+        return Spent.AllImpacts++ < MostImpacts;
     }
 
     /// <summary>Counts an impact, and returns the number of impacts that have followed one another at about one instant.</summary>
     public int InQuickSuccession(double time)
     {
-        Quick = time - LastImpact > ContactTolerances.AtOnce ? 1 : Quick + 1;
-        LastImpact = time;
-        return Quick;
+        Spent.Quick = time - Spent.LastImpact > ContactTolerances.AtOnce ? 1 : Spent.Quick + 1;
+        Spent.LastImpact = time;
+        return Spent.Quick;
     }
 
     /// <summary>Counts an instant at which the ball stays on a surface after an impact.</summary>
     public void Stay(double time)
     {
-        Stays += time > LastStay ? 1 : 0;
-        LastStay = time;
+        Spent.Stays += time > Spent.LastStay ? 1 : 0;
+        Spent.LastStay = time;
     }
 
     /// <summary>Reports an event, or only counts it if the step has reported too many.</summary>
@@ -358,32 +286,5 @@ internal ref struct StepRun
 
             Log.Show(in before, in after, sweep.StartAcceleration, in end, order);
         }
-    }
-
-    /// <summary>Restores the counters of the earlier calls of this step.</summary>
-    private void Continue(in StepBudget spent)
-    {
-        Pieces = spent.Pieces;
-        _lastEvaluation -= spent.Evaluations;
-        _eventsBefore = spent.Events;
-        Splits = spent.Splits;
-        AllImpacts = spent.AllImpacts;
-        MergedImpacts = spent.MergedImpacts;
-        SetChanges = spent.SetChanges;
-        SetPieces = spent.SetPieces;
-        Parts = spent.Parts;
-        Turns = spent.Turns;
-        Named = spent.Named;
-        Slips = spent.Slips;
-        Squeezes = spent.Squeezes;
-        Hits = spent.Hits;
-        LastImpact = spent.LastImpact;
-        Quick = spent.Quick;
-        Stays = spent.Stays;
-        LastStay = spent.LastStay;
-        Arrival = spent.Arrival;
-        Fastest = spent.Fastest;
-        _short = spent.ShortPieces;
-        _isStiff = spent.IsStiff;
     }
 }

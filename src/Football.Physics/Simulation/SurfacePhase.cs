@@ -168,7 +168,7 @@ internal sealed class SurfacePhase<TIntegrator>
         // A rolling ball that needs more traction than friction provides starts to slide.
         if (rolls && !grips)
         {
-            run.Slips++;
+            run.Spent.Slips++;
             _contact.StartSliding(ref s, ref run);
             return false;
         }
@@ -280,7 +280,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
         h = turned > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
-        piece.Length = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
+        piece.Length = run.Spent.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
         piece.Start = system.LocksDirection ? system.RatesAt(in piece.From) : piece.Start;
         return true;
     }

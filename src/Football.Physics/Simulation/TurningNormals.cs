@@ -23,7 +23,7 @@ internal static class TurningNormals
     [SkipLocalsInit]
     public static bool Shorten(World world, in BallState s, scoped Span<Contact> set, ref StepRun run, ref double h)
     {
-        if (run.Turns >= MostTurns)
+        if (run.Spent.Turns >= MostTurns)
         {
             return false;
         }
@@ -43,7 +43,7 @@ internal static class TurningNormals
         }
 
         // At this rotation per part, the remaining parts cannot cover the rest of the step: allow longer parts.
-        double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Turns)));
+        double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Spent.Turns)));
         bool shortens = turning * h > longest;
         h = shortens ? longest / turning : h;
         return shortens;

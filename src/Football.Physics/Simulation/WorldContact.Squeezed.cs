@@ -24,7 +24,7 @@ internal sealed partial class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         var before = new Motion(s.Position, in v, in w);
-        bool solved = ImpulseSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.MergedImpacts++ < MostMerged;
+        bool solved = ImpulseSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Spent.MergedImpacts++ < MostMerged;
 
         // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(in s, set, in before.Velocity, in v)))
@@ -56,11 +56,11 @@ internal sealed partial class WorldContact
     /// <summary>Starts a squeeze: moving objects leave the ball no room.</summary>
     public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
     {
-        run.Squeezes++;
+        run.Spent.Squeezes++;
         s.Carrier = collider + _world.FirstCollider;
 
         // A squeeze adds no energy: the ball keeps at most the speed of its arrival, or the speed that the fastest mover gives it.
-        double most = Math.Max(run.Arrival, run.Fastest);
+        double most = Math.Max(run.Spent.Arrival, run.Spent.Fastest);
         double speed = s.Velocity.Length;
         Vector3d kept = speed > most ? most / speed * s.Velocity : s.Velocity;
         run.Report(BallEventKind.Pinned, _world.Reported(s.Carrier), _world.ByIndex[collider].At(s.Position, s.Time).Normal, in s, in kept, s.Spin);

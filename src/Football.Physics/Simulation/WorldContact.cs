@@ -60,7 +60,7 @@ internal sealed partial class WorldContact
         s.Branch = DragBranch.Unknown;
 
         // Movers have hit the ball often in this step: find out whether they leave it room.
-        if (hit.Moves && run.Hits++ >= MostHits && !FreePlace.Exists(_world, in s, in end.Velocity, in end.Normal, in run))
+        if (hit.Moves && run.Spent.Hits++ >= MostHits && !FreePlace.Exists(_world, in s, in end.Velocity, in end.Normal, in run))
         {
             s.Velocity = end.Velocity;
             s.SetGroundSpin(in end.Spin);
@@ -96,12 +96,12 @@ internal sealed partial class WorldContact
     public void Name(ref BallState s, int collider, bool rolls, ref StepRun run)
     {
         s.Carrier = collider + _world.FirstCollider;
-        if (rolls == (s.Motion == MotionState.Rolling) || run.Named >= MostNames)
+        if (rolls == (s.Motion == MotionState.Rolling) || run.Spent.Named >= MostNames)
         {
             return;
         }
 
-        run.Named++;
+        run.Spent.Named++;
         if (rolls)
         {
             StartRolling(ref s, ref run);
@@ -357,7 +357,7 @@ internal sealed partial class WorldContact
         // The clear time and the branch of the drag law belong to the old velocity.
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        run.Arrival = Math.Max(run.Arrival, velocity.Length);
+        run.Spent.Arrival = Math.Max(run.Spent.Arrival, velocity.Length);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
@@ -383,7 +383,7 @@ internal sealed partial class WorldContact
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         // Report no new slide if the ball already slid there at this instant, nor in a crowded step.
-        bool slidOn = (run.Quick > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
+        bool slidOn = (run.Spent.Quick > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
         run.Jumped &= slidOn;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);

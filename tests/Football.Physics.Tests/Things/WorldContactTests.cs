@@ -82,7 +82,7 @@ public sealed class WorldContactTests
         Assert.Equal(new Vector3d(1, Radius, 2), s.Position);
         Assert.InRange((s.Velocity - new Vector3d(3, 2, 1)).Length, 0, 1e-6);
         Assert.Equal((MotionState.Airborne, DragBranch.Unknown, 0L), (s.Motion, s.Branch, s.Carrier));
-        Assert.Equal((1, 0.0, 1), (run.Quick, run.Part, run.AllImpacts));
+        Assert.Equal((1, 0.0, 1), (run.Spent.Quick, run.Part, run.Spent.AllImpacts));
         BallEvent told = log.Events[0];
         Assert.Equal((BallEventKind.Impact, new Vector3d(3, -4, 1), s.Velocity), (told.Kind, told.VelocityBefore, told.Velocity));
         Assert.Equal("ground", table.Simulator.NameOf(told.ColliderIndex));
@@ -134,7 +134,7 @@ public sealed class WorldContactTests
         var bat = new Obstacle { Name = "bat", Shape = new BoxShape(new Vector3d(-1, 5, 0), new Vector3d(1, 5, 5)), Surface = Smooth, Velocity = new Vector3d(1, 0, 0) };
         var table = new Asked(Still with { Obstacles = length == 0.3 ? [bat] : [bat, wall] });
         var log = new StepLog();
-        var run = new StepRun(length + 0.1, 0, log) { Arrival = 2 };
+        var run = new StepRun(length + 0.1, 0, log) { Spent = new StepBudget { Arrival = 2 } };
         BallState s = default;
         for (int k = 1; k <= 10; k++)
         {
@@ -166,24 +166,24 @@ public sealed class WorldContactTests
         var table = new Asked(Still with { Obstacles = [Wall()] });
         BallState s = table.Ball(new Vector3d(Radius, 3, 0), new Vector3d(-10, 2, 0), default);
         var log = new StepLog();
-        var run = new StepRun(0, 0, log) { Quick = before };
+        var run = new StepRun(0, 0, log) { Spent = new StepBudget { Quick = before } };
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
         Assert.Equal(away, s.Velocity.X, 1e-6);
         Assert.Equal(2, s.Velocity.Y, 1e-6);
         Assert.Equal(MotionState.Airborne, s.Motion);
-        Assert.Equal((before + 1, away > 0 ? 1 : 0, away > 0 ? 0L : 1L), (run.Quick, log.Events.Count, log.UnreportedImpacts));
+        Assert.Equal((before + 1, away > 0 ? 1 : 0, away > 0 ? 0L : 1L), (run.Spent.Quick, log.Events.Count, log.UnreportedImpacts));
 
         // In the corner with the ground the ground bears it, and carries it.
         s = table.Ball(new Vector3d(Radius, Radius, 0), new Vector3d(-10, -2, 3), default);
-        run.Quick = 10;
+        run.Spent.Quick = 10;
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
         Assert.InRange((s.Velocity - new Vector3d(0, 0, s.Velocity.Z)).Length, 0, 1e-6);
         Assert.InRange(s.Velocity.Z, 1, 3);
         Assert.Equal("ground", table.Simulator.NameOf((int)s.Carrier));
 
         // The fourth time in one step there is no answer any more; but objects that stand still never squeeze a ball.
-        run.MergedImpacts = 3;
-        run.Quick = 10;
+        run.Spent.MergedImpacts = 3;
+        run.Spent.Quick = 10;
         s.Velocity = new Vector3d(-10, 0, 0);
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
         Assert.NotEqual(MotionState.Pinned, s.Motion);
@@ -336,10 +336,10 @@ public sealed class WorldContactTests
         BallState s = table.Ball(new Vector3d(0, Radius + 1e-11, 0), new Vector3d(2, 0, 0), default);
         table.Contact.TakeUp(ref s, table.Of("ground"), ref run);
         Assert.Equal((MotionState.Sliding, Radius, 1, 0L), (s.Motion, s.Position.Y, log.Events.Count, log.Evaluations));
-        run.Quick = 1;
+        run.Spent.Quick = 1;
         table.Contact.TakeUp(ref s, table.Of("ground"), ref run);
         Assert.Equal(2, log.Events.Count);
-        run.Quick = 2;
+        run.Spent.Quick = 2;
         table.Contact.TakeUp(ref s, table.Of("ground"), ref run);
         Assert.Equal(2, log.Events.Count);
         s.SetGroundSpin(new Vector3d(0, 0, -2 / Radius));
