@@ -5,7 +5,7 @@ namespace FootballPhysics.Integration;
 internal static class EventLocator
 {
     /// <summary>The maximum number of steps: enough to bisect any step to its last bits.</summary>
-    private const int MostSteps = 60;
+    public const int MostSteps = 60;
 
     /// <summary>The correction, in s, below which a linear one is exact up to rounding, if the acceleration is negligible.</summary>
     public const double Negligible = 1e-6;

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Integration;
 using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Prediction;
@@ -8,22 +9,21 @@ namespace FootballPhysics.Prediction;
 /// With RK4 the path is the quintic Hermite interpolant of the positions, velocities and accelerations at both ends. Its error is 1e-8 m for a step of 40 ms.
 /// With lower-order methods, the path is the quadratic that the method itself integrates.
 /// </remarks>
-public readonly struct PathSegment
+public struct PathSegment
 {
     /// <summary>The correction, as a fraction of a segment, at which a search ends: a few hundred times the rounding error.</summary>
     private const double Closeness = 1e-13;
-    private const int MostEvaluations = 60;
 
-    private readonly int _degree;
-    private readonly double _time;
-    private readonly double _length;
-    private readonly Vector3d _startPosition;
-    private readonly Vector3d _startVelocity;
-    private readonly Vector3d _startAcceleration;
-    private readonly Vector3d _endPosition;
-    private readonly Vector3d _endVelocity;
-    private readonly Vector3d _endAcceleration;
-    private readonly MotionState _motion;
+    private int _degree;
+    private double _time;
+    private double _length;
+    private Vector3d _startPosition;
+    private Vector3d _startVelocity;
+    private Vector3d _startAcceleration;
+    private Vector3d _endPosition;
+    private Vector3d _endVelocity;
+    private Vector3d _endAcceleration;
+    private MotionState _motion;
 
     internal PathSegment(
         double time,
@@ -57,13 +57,7 @@ public readonly struct PathSegment
     /// <summary>Completes a segment whose acceleration at the end was not known.</summary>
     internal static void Close(ref PathSegment open, in Vector3d endAcceleration)
     {
-#if NET8_0_OR_GREATER
-        Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
-#else
-        open = new PathSegment(
-            open._time, open._length, in open._startPosition, in open._startVelocity, in open._startAcceleration, in open._endPosition, in open._endVelocity,
-            in endAcceleration, open._motion, open._degree);
-#endif
+        open._endAcceleration = endAcceleration;
     }
 
     /// <summary>Writes a segment of flight to its position in a buffer. A constructed segment would be copied there.</summary>
@@ -79,20 +73,15 @@ public readonly struct PathSegment
         in Vector3d endVelocity,
         int degree)
     {
-#if NET8_0_OR_GREATER
-        Unsafe.AsRef(in to._degree) = degree;
-        Unsafe.AsRef(in to._time) = time;
-        Unsafe.AsRef(in to._length) = length;
-        Unsafe.AsRef(in to._startPosition) = startPosition;
-        Unsafe.AsRef(in to._startVelocity) = startVelocity;
-        Unsafe.AsRef(in to._startAcceleration) = startAcceleration;
-        Unsafe.AsRef(in to._endPosition) = endPosition;
-        Unsafe.AsRef(in to._endVelocity) = endVelocity;
-        Unsafe.AsRef(in to._motion) = MotionState.Airborne;
-#else
-        to = new PathSegment(
-            time, length, in startPosition, in startVelocity, in startAcceleration, in endPosition, in endVelocity, default, MotionState.Airborne, degree);
-#endif
+        to._degree = degree;
+        to._time = time;
+        to._length = length;
+        to._startPosition = startPosition;
+        to._startVelocity = startVelocity;
+        to._startAcceleration = startAcceleration;
+        to._endPosition = endPosition;
+        to._endVelocity = endVelocity;
+        to._motion = MotionState.Airborne;
     }
 
     /// <summary>Writes a segment without air, with constant acceleration, to its position in a buffer.</summary>
@@ -103,31 +92,16 @@ public readonly struct PathSegment
         double vz = start.Flight.Velocity.Z;
         double x = start.Position.X;
         double z = start.Position.Z;
-#if NET8_0_OR_GREATER
-        Unsafe.AsRef(in to._degree) = degree;
-        Unsafe.AsRef(in to._time) = start.Time;
-        Unsafe.AsRef(in to._length) = end - start.Time;
-        Unsafe.AsRef(in to._startPosition) = new Vector3d(x, start.Position.Y, z);
-        Unsafe.AsRef(in to._startVelocity) = new Vector3d(vx, start.Flight.Velocity.Y, vz);
-        Unsafe.AsRef(in to._startAcceleration) = new Vector3d(0, upward, 0);
-        Unsafe.AsRef(in to._endPosition) = new Vector3d(x + (h * vx), height, z + (h * vz));
-        Unsafe.AsRef(in to._endVelocity) = new Vector3d(vx, climb, vz);
-        Unsafe.AsRef(in to._endAcceleration) = new Vector3d(0, upward, 0);
-        Unsafe.AsRef(in to._motion) = MotionState.Airborne;
-#else
-        var acceleration = new Vector3d(0, upward, 0);
-        to = new PathSegment(
-            start.Time,
-            end - start.Time,
-            new Vector3d(x, start.Position.Y, z),
-            new Vector3d(vx, start.Flight.Velocity.Y, vz),
-            in acceleration,
-            new Vector3d(x + (h * vx), height, z + (h * vz)),
-            new Vector3d(vx, climb, vz),
-            in acceleration,
-            MotionState.Airborne,
-            degree);
-#endif
+        to._degree = degree;
+        to._time = start.Time;
+        to._length = end - start.Time;
+        to._startPosition = new Vector3d(x, start.Position.Y, z);
+        to._startVelocity = new Vector3d(vx, start.Flight.Velocity.Y, vz);
+        to._startAcceleration = new Vector3d(0, upward, 0);
+        to._endPosition = new Vector3d(x + (h * vx), height, z + (h * vz));
+        to._endVelocity = new Vector3d(vx, climb, vz);
+        to._endAcceleration = new Vector3d(0, upward, 0);
+        to._motion = MotionState.Airborne;
     }
 
     /// <summary>Returns the cubic between two positions with velocities, from time 0.</summary>
@@ -139,54 +113,54 @@ public readonly struct PathSegment
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
 
     /// <summary>The degree of the polynomial in time.</summary>
-    internal int Degree => _degree;
+    internal readonly int Degree => _degree;
 
     /// <summary>The start time, in s since the launch.</summary>
-    public double Time => _time;
+    public readonly double Time => _time;
 
     /// <summary>The duration, in s.</summary>
-    public double Length => _length;
+    public readonly double Length => _length;
 
     /// <summary>The end time, in s since the launch.</summary>
-    public double EndTime => Time + Length;
+    public readonly double EndTime => Time + Length;
 
     /// <summary>The position at the start, in m.</summary>
-    internal Vector3d StartPosition => _startPosition;
+    internal readonly Vector3d StartPosition => _startPosition;
 
     /// <summary>The velocity at the start, in m/s.</summary>
-    internal Vector3d StartVelocity => _startVelocity;
+    internal readonly Vector3d StartVelocity => _startVelocity;
 
     /// <summary>The acceleration at the start, in m/s².</summary>
-    internal Vector3d StartAcceleration => _startAcceleration;
+    internal readonly Vector3d StartAcceleration => _startAcceleration;
 
     /// <summary>The position at the end, in m.</summary>
-    internal Vector3d EndPosition => _endPosition;
+    internal readonly Vector3d EndPosition => _endPosition;
 
     /// <summary>The velocity at the end, in m/s; if the segment ends with an impact, the velocity before it.</summary>
-    internal Vector3d EndVelocity => _endVelocity;
+    internal readonly Vector3d EndVelocity => _endVelocity;
 
     /// <summary>The acceleration at the end, in m/s².</summary>
-    internal Vector3d EndAcceleration => _endAcceleration;
+    internal readonly Vector3d EndAcceleration => _endAcceleration;
 
     /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
-    public MotionState Motion => _motion;
+    public readonly MotionState Motion => _motion;
 
     /// <summary>The greatest height of the ball's centre, in m.</summary>
-    public double Apex
+    public readonly double Apex
     {
         get
         {
             double ends = Math.Max(StartPosition.Y, EndPosition.Y);
-            return StartVelocity.Y > 0 && EndVelocity.Y < 0 ? Math.Max(ends, PositionAt(TurningTime(new Climb(in this))).Y) : ends;
+            return StartVelocity.Y > 0 && EndVelocity.Y < 0 ? Math.Max(ends, PositionAt(TurningTime(new PlaneApproach(in this, Vector3d.Up, true))).Y) : ends;
         }
     }
 
     /// <summary>The time at which the centre is highest, in s since the launch.</summary>
-    internal double ApexTime => StartVelocity.Y > 0 && EndVelocity.Y < 0 ? TurningTime(new Climb(in this)) : StartPosition.Y > EndPosition.Y ? Time : EndTime;
+    internal readonly double ApexTime => StartVelocity.Y > 0 && EndVelocity.Y < 0 ? TurningTime(new PlaneApproach(in this, Vector3d.Up, true)) : StartPosition.Y > EndPosition.Y ? Time : EndTime;
 
     /// <summary>Returns the position of the ball's centre at a time, in m.</summary>
     /// <param name="time">The time since the launch, in s; outside the segment the curve is extrapolated.</param>
-    public Vector3d PositionAt(double time)
+    public readonly Vector3d PositionAt(double time)
     {
         double t = time - Time;
         if (!(Length > 0))
@@ -208,14 +182,14 @@ public readonly struct PathSegment
 
     /// <summary>Returns the velocity at a time, in m/s.</summary>
     /// <param name="time">The time since the launch, in s; outside the segment the curve is extrapolated.</param>
-    public Vector3d VelocityAt(double time)
+    public readonly Vector3d VelocityAt(double time)
     {
         // The velocity of a low-order method is not the derivative of its path.
         return _degree == 2 && Length > 0 ? StartVelocity + ((time - Time) / Length * (EndVelocity - StartVelocity)) : PathVelocity(time);
     }
 
     /// <summary>Returns the segment relative to an object with constant velocity that was at the origin at time 0.</summary>
-    internal PathSegment SeenFrom(in Vector3d velocity) => new(
+    internal readonly PathSegment SeenFrom(in Vector3d velocity) => new(
         Time,
         Length,
         StartPosition - (Time * velocity),
@@ -231,7 +205,7 @@ public readonly struct PathSegment
     /// <param name="point">A point on the plane.</param>
     /// <param name="normal">The normal of the plane; any length.</param>
     /// <param name="time">The first time on the plane, in s since the launch.</param>
-    internal bool Crosses(in Vector3d point, in Vector3d normal, out double time)
+    internal readonly bool Crosses(in Vector3d point, in Vector3d normal, out double time)
     {
         double before = Vector3d.Dot(StartPosition - point, in normal);
         double after = Vector3d.Dot(EndPosition - point, in normal);
@@ -256,7 +230,7 @@ public readonly struct PathSegment
             }
 
             // Before the turn, there is exactly one crossing.
-            end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, MostEvaluations);
+            end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, EventLocator.MostSteps);
             after = Vector3d.Dot(PositionAt(Time + (end * Length)) - point, in normal);
             if (before < 0 == after < 0)
             {
@@ -274,7 +248,7 @@ public readonly struct PathSegment
     /// <param name="point">The point.</param>
     /// <param name="time">The time of the closest approach, in s since the launch.</param>
     /// <returns>The squared distance.</returns>
-    internal double ClosestApproach(in Vector3d point, out double time)
+    internal readonly double ClosestApproach(in Vector3d point, out double time)
     {
         Vector3d start = StartPosition - point;
         Vector3d end = EndPosition - point;
@@ -299,7 +273,7 @@ public readonly struct PathSegment
     }
 
     /// <summary>Returns the derivative of the path. For methods of low order it differs from the method's velocity.</summary>
-    private Vector3d PathVelocity(double time)
+    private readonly Vector3d PathVelocity(double time)
     {
         if (!(Length > 0))
         {
@@ -319,20 +293,20 @@ public readonly struct PathSegment
     }
 
     /// <summary>Computes the deviation of the quintic from uniformly accelerated motion, without the rest of the <see cref="Curve"/>.</summary>
-    private void Bend(out Vector3d c3, out Vector3d c4, out Vector3d c5) => PathPolynomial.Bend(
+    private readonly void Bend(out Vector3d c3, out Vector3d c4, out Vector3d c5) => PathPolynomial.Bend(
         in _startPosition, in _startVelocity, in _startAcceleration, in _endPosition, in _endVelocity, in _endAcceleration, _length, out c3, out c4, out c5);
 
     /// <summary>The path as a polynomial in the elapsed share of the segment.</summary>
-    internal PathPolynomial Curve => PathPolynomial.Between(
+    internal readonly PathPolynomial Curve => PathPolynomial.Between(
         in _startPosition, in _startVelocity, in _startAcceleration, in _endPosition, in _endVelocity, in _endAcceleration, _length, _degree);
 
     /// <summary>Returns the time at which a nearly linear rate changes its sign; the end if it does not, as on a straight path.</summary>
-    private double TurningTime<TRate>(TRate rate)
+    private readonly double TurningTime<TRate>(TRate rate)
         where TRate : struct, IFunction
     {
         rate.Evaluate(0, out double atStart);
         rate.Evaluate(1, out double atEnd);
-        return Time + ((atStart < 0 == atEnd < 0 ? 1 : Roots.Illinois(ref rate, 0, atStart, 1, atEnd, Closeness, MostEvaluations)) * Length);
+        return Time + ((atStart < 0 == atEnd < 0 ? 1 : Roots.Illinois(ref rate, 0, atStart, 1, atEnd, Closeness, EventLocator.MostSteps)) * Length);
     }
 
     /// <summary>The distance from a plane over fractions of a segment, positive at the start.</summary>
@@ -373,20 +347,6 @@ public readonly struct PathSegment
         public bool Evaluate(double x, out double value)
         {
             value = Vector3d.Dot(_piece.PathVelocity(_piece.Time + (x * _piece.Length)), in _normal);
-            return false;
-        }
-    }
-
-    /// <summary>The vertical velocity over fractions of a segment.</summary>
-    private readonly struct Climb : IFunction
-    {
-        private readonly PathSegment _piece;
-
-        public Climb(in PathSegment piece) => _piece = piece;
-
-        public bool Evaluate(double x, out double value)
-        {
-            value = _piece.PathVelocity(_piece.Time + (x * _piece.Length)).Y;
             return false;
         }
     }

@@ -12,8 +12,6 @@ internal struct EventMargin<TSystem, TMethod> : IFunction
     where TSystem : struct, IContactMotion
     where TMethod : struct, IMotionMethod
 {
-    private const int MostSteps = 60;
-
     /// <summary>After this many evaluations per piece, the search stops locating events: the next piece then starts after the event.</summary>
     private const int MostEvaluations = 2048;
 
@@ -97,7 +95,7 @@ internal struct EventMargin<TSystem, TMethod> : IFunction
         }
 
         margin._jump = ContactTolerances.MarginJump * start;
-        double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * length, MostSteps);
+        double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * length, EventLocator.MostSteps);
 
         // If a value is not small at the zero, the margin has jumped.
         bool jumped = Math.Abs(margin._value) > margin._jump;

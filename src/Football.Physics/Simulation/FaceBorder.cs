@@ -9,8 +9,6 @@ namespace FootballPhysics.Simulation;
 /// <remarks>Beyond the edge, another tile may support the ball.</remarks>
 internal static class FaceBorder
 {
-    private const int MostSteps = 60;
-
     /// <summary>Shortens a piece that ends beyond the edge of its face, so that it ends just beyond the edge.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
@@ -29,7 +27,7 @@ internal static class FaceBorder
         // Along the piece, the margin is almost linear.
         double length = sweep.Length;
         var margin = new Margin<TSweep>(in sweep, carrier, s.Time);
-        double x = start > ContactTolerances.LeastBeyondEdge ? Roots.Illinois(ref margin, 0, start, length, end, ContactTolerances.EventWidth * length, MostSteps) : 0;
+        double x = start > ContactTolerances.LeastBeyondEdge ? Roots.Illinois(ref margin, 0, start, length, end, ContactTolerances.EventWidth * length, EventLocator.MostSteps) : 0;
         sweep = margin.Sweep;
         sweep.Step(Math.Min(length, x + Math.Max(ContactTolerances.Beyond * length, ContactTolerances.LeastBeyondEdge / Math.Max(ContactTolerances.SlowestAtEdge, sweep.Velocity.Length))));
     }

@@ -8,9 +8,6 @@ namespace FootballPhysics.Simulation;
 /// <summary>Ends a piece of a slide or a roll at the border between two materials of the ground.</summary>
 internal static class SurfaceBorder
 {
-    /// <summary>Maximum number of halvings of a piece: down to the last bits of its length.</summary>
-    private const int MostHalvings = 60;
-
     /// <summary>Limits a piece to half the width of the narrowest patch, so that it cannot step over a patch, s.</summary>
     public static double LongestPiece(Collider carrier, double speed, double h)
     {
@@ -38,7 +35,7 @@ internal static class SurfaceBorder
         double low = 0;
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);
-        Roots.Bisect(ref beyond, ref low, ref high, MostHalvings);
+        Roots.Bisect(ref beyond, ref low, ref high, EventLocator.MostSteps);
         sweep = beyond.Sweep;
         sweep.Step(high);
     }
