@@ -62,11 +62,26 @@ internal sealed class BallTrial : PieceObserver
         Reach += (End.Position - last).Length;
     }
 
-    /// <summary>Moves a ball to the end of the path, if it is still at the start of the path and the path pushes no object.</summary>
+    /// <summary>Moves a ball to the end of the path, if it is still at the start of the path, ends at the given time, and pushes no object.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="time">End time of the step, s.</param>
+    /// <param name="time">The time, s.</param>
     /// <param name="own">Receives its events and counts.</param>
-    public bool TryTake(ref BallState s, double time, StepLog own) => _isStep && BallLook.TryTake(ref s, in _start, in End, time, Log, own);
+    public bool TryTake(ref BallState s, double time, StepLog own)
+    {
+        bool isSame = _isStep && End.Time == time && _start.Time == s.Time && _start.Position == s.Position && _start.Velocity == s.Velocity
+            && _start.Spin == s.Spin && _start.ClearUntil == s.ClearUntil && _start.Motion == s.Motion && _start.Carrier == s.Carrier;
+        if (!isSame || Log.Pushed || Log.Halted || Log.Events.Dropped > 0 || own.Observer is not null)
+        {
+            return false;
+        }
+
+        own.Zones?.Begin(own, in _start);
+        s = End;
+        own.Add(Log);
+        own.ZonePlace = End.Position;
+        own.Spent = Log.Spent;
+        return true;
+    }
 
     /// <summary>Takes a whole step of a ball that hit others in the last step, and keeps its path in case it does so again.</summary>
     /// <param name="simulator">The ball's scene, in which no object can be pushed.</param>
