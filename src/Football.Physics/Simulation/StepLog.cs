@@ -209,6 +209,13 @@ public sealed partial class StepLog
             Events.Add(in other.Events[i]);
         }
 
+        AddCounts(other);
+        ZoneEvents += other.ZoneEvents;
+    }
+
+    /// <summary>Adds the counts of another log.</summary>
+    internal void AddCounts(StepLog other)
+    {
         Steps += other.Steps;
         Evaluations += other.Evaluations;
         SearchEvaluations += other.SearchEvaluations;
@@ -216,7 +223,6 @@ public sealed partial class StepLog
         StiffSteps += other.StiffSteps;
         UnreportedImpacts += other.UnreportedImpacts;
         LeftOut += other.LeftOut;
-        ZoneEvents += other.ZoneEvents;
     }
 
     /// <summary>Returns a mark of the current contents, for <see cref="TakeBack"/>.</summary>

@@ -6,12 +6,7 @@ public sealed partial class BallGroup
     /// <summary>Adds the counts, and the events of all balls ordered by time and then by ball.</summary>
     private void Report(StepLog log)
     {
-        log.Steps += _flown.Steps;
-        log.Evaluations += _flown.Evaluations;
-        log.SearchEvaluations += _flown.SearchEvaluations;
-        log.StalledSteps += _flown.StalledSteps;
-        log.StiffSteps += _flown.StiffSteps;
-        log.UnreportedImpacts += _flown.UnreportedImpacts;
+        log.AddCounts(_flown);
         int reported = 0;
         for (int i = 0; i < Count; i++)
         {
@@ -26,12 +21,7 @@ public sealed partial class BallGroup
         for (int k = 0; k < _cluster.Count; k++)
         {
             StepLog own = _logs[_cluster[k]];
-            log.Steps += own.Steps;
-            log.Evaluations += own.Evaluations;
-            log.SearchEvaluations += own.SearchEvaluations;
-            log.StalledSteps += own.StalledSteps;
-            log.StiffSteps += own.StiffSteps;
-            log.UnreportedImpacts += own.UnreportedImpacts;
+            log.AddCounts(own);
             for (int e = 0; e < own.Events.Count; e++)
             {
                 Insert(in own.Events[e], reported++);
