@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Events;
 
 namespace FootballPhysics.Simulation;
 
@@ -321,9 +320,7 @@ internal sealed partial class BallCluster
         Commit(states, i, time);
         Commit(states, j, time);
         _touch.Forget();
-        BallProperties ball = _simulators[i].Scene.Ball;
-        BallProperties other = _simulators[j].Scene.Ball;
-        BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
+        BallContact.Gap(in states[i], _simulators[i].Scene.Ball.Radius, in states[j], _simulators[j].Scene.Ball.Radius, out Vector3d n, out double rate);
 
         // Slow contacts, and balls that hit each other repeatedly, are in sustained contact: solve them as a pile without restitution.
         if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
@@ -335,9 +332,7 @@ internal sealed partial class BallCluster
 
         _meetings[i]++;
         _meetings[j]++;
-        bool grips = ImpactLaw.Apply(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
-        _current[i].Report(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin, ImpactContact.With(other, in states[j], in second, -n, grips)));
-        _current[j].Report(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin, ImpactContact.With(ball, in states[i], in first, in n, grips)));
+        BallContact.Impact(_simulators, in _contact, i, j, in n, states, _current, out Motion first, out Motion second);
         GoOn(states, i, in first, in n);
         GoOn(states, j, in second, -n);
         return _stopAt == StopAt.Impact;

@@ -1,6 +1,9 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Events;
+
 namespace FootballPhysics.Simulation;
 
-/// <summary>The contact of two balls: their gap.</summary>
+/// <summary>The contact of two balls: their gap and their impacts.</summary>
 internal static class BallContact
 {
     /// <summary>Two balls that close more slowly than this are in sustained contact, m/s: no bounce, and no impact event.</summary>
@@ -19,5 +22,27 @@ internal static class BallContact
         normal = Normal(in apart, distance);
         rate = Vector3d.Dot(first.Velocity - second.Velocity, in normal);
         return distance - (firstRadius + secondRadius);
+    }
+
+    /// <summary>Computes and reports an impact of two balls.</summary>
+    /// <param name="simulators">The scenes of all balls.</param>
+    /// <param name="material">The material of impacts between balls.</param>
+    /// <param name="i">The first ball.</param>
+    /// <param name="j">The second ball.</param>
+    /// <param name="n">The normal, from the second ball to the first.</param>
+    /// <param name="states">All balls.</param>
+    /// <param name="logs">Receive the events of each ball.</param>
+    /// <param name="first">The first ball after the impact.</param>
+    /// <param name="second">The second ball after the impact.</param>
+    public static void Impact(
+        Simulator[] simulators, in ContactMaterial material, int i, int j, in Vector3d n, BallState[] states, StepLog[] logs, out Motion first, out Motion second)
+    {
+        BallProperties ball = simulators[i].Scene.Ball;
+        BallProperties other = simulators[j].Scene.Ball;
+        ref readonly BallState s = ref states[i];
+        ref readonly BallState its = ref states[j];
+        bool grips = ImpactLaw.Apply(ball, other, in material, in n, in s, in its, out first, out second);
+        logs[i].Report(new BallEvent(j, in n, s.Time, in s, in first.Velocity, in first.Spin, ImpactContact.With(other, in its, in second, -n, grips)));
+        logs[j].Report(new BallEvent(i, -n, s.Time, in its, in second.Velocity, in second.Spin, ImpactContact.With(ball, in s, in first, in n, grips)));
     }
 }

@@ -134,16 +134,9 @@ internal sealed class PileBounces
         if (contact.Second >= 0)
         {
             int other = _system.Members[contact.Second].Ball;
-            ref BallState its = ref states[other];
-            BallProperties own = simulator.Scene.Ball;
-            BallProperties second = _simulators[other].Scene.Ball;
-            bool holds = ImpactLaw.Apply(own, second, in _material, in contact.Normal, in s, in its, out Motion mine, out Motion theirs);
-            logs[ball].Report(new BallEvent(
-                other, in contact.Normal, s.Time, in s, in mine.Velocity, in mine.Spin, ImpactContact.With(second, in its, in theirs, -contact.Normal, holds)));
-            logs[other].Report(new BallEvent(
-                ball, -contact.Normal, s.Time, in its, in theirs.Velocity, in theirs.Spin, ImpactContact.With(own, in s, in mine, in contact.Normal, holds)));
+            BallContact.Impact(_simulators, in _material, ball, other, in contact.Normal, states, logs, out Motion mine, out Motion theirs);
             Set(ref s, in mine.Velocity, in mine.Spin);
-            Set(ref its, in theirs.Velocity, in theirs.Spin);
+            Set(ref states[other], in theirs.Velocity, in theirs.Spin);
             return;
         }
 
