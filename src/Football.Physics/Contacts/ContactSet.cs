@@ -22,6 +22,12 @@ internal static class ContactSet
     /// <summary>Maximum number of iterations that project a ball onto its contacts.</summary>
     private const int MostRounds = 64;
 
+    /// <summary>Maximum number of such rounds with the contacts at the new position.</summary>
+    private const int MostWays = 16;
+
+    /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
+    public const double OutOfTheWay = 5.0;
+
     /// <summary>Maximum number of Newton iterations that project a ball onto two contacts.</summary>
     private const int MostNewton = 4;
 
@@ -242,9 +248,7 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>Newton's method on the gaps of the two contacts with the greatest loads.</summary>
-    /// <remarks>At a small angle, or on curved surfaces, alternating projections would converge slowly. In a narrow wedge, a small gap would move
-    /// the ball far along the wedge, and lift it.</remarks>
+    /// <summary>Projects a ball onto the two contacts with the greatest loads.</summary>
     private static void PutOntoTwo(World world, ref BallState s, Span<Contact> set)
     {
         int first = Heaviest(set);
@@ -254,21 +258,35 @@ internal static class ContactSet
             second = i != first && set[i].Load > 0 && (second < 0 || set[i].Load > set[second].Load) ? i : second;
         }
 
-        for (int round = 0; second >= 0 && round < MostNewton; round++)
+        if (second >= 0)
         {
-            ShapePoint one = world.ByIndex[set[first].Collider].At(s.Position, s.Time);
-            ShapePoint two = world.ByIndex[set[second].Collider].At(s.Position, s.Time);
+            PutOntoTwo(world, ref s, world.ByIndex[set[first].Collider], world.ByIndex[set[second].Collider]);
+        }
+    }
+
+    /// <summary>Newton's method on the gaps of two surfaces, until the ball touches both.</summary>
+    /// <remarks>At a small angle, or on curved surfaces, alternating projections would converge slowly. In a narrow wedge, a small gap would move
+    /// the ball far along the wedge, and lift it. Flush surfaces count as one.</remarks>
+    public static void PutOntoTwo(World world, ref BallState s, Collider first, Collider second)
+    {
+        ShapePoint one = first.At(s.Position, s.Time);
+        ShapePoint two = second.At(s.Position, s.Time);
+        (bool isFlat, bool isOtherFlat) = (one.IsFlat, two.IsFlat);
+        for (int round = 0; round < MostNewton; round++)
+        {
             double gap = one.Distance - world.Ball.Radius;
             double other = two.Distance - world.Ball.Radius;
             double cosine = Vector3d.Dot(one.Normal, two.Normal);
             double square = 1.0 - (cosine * cosine);
-            if (!(square > (cosine < 0 ? NarrowWedge : ContactTolerances.SameNormal * 4.0)) || (Math.Abs(gap) <= ContactTolerances.ClosedGap && Math.Abs(other) <= ContactTolerances.ClosedGap) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
+            if (!(square > (cosine < 0 ? NarrowWedge : ContactTolerances.SameNormal * 4.0)) || (Math.Abs(gap) <= ContactTolerances.ClosedGap && Math.Abs(other) <= ContactTolerances.ClosedGap) || one.IsFlat != isFlat || two.IsFlat != isOtherFlat)
             {
                 return;
             }
 
             // The shortest displacement that closes both gaps: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
             s.Position += (((cosine * other) - gap) / square * one.Normal) + (((cosine * gap) - other) / square * two.Normal);
+            one = first.At(s.Position, s.Time);
+            two = second.At(s.Position, s.Time);
         }
     }
 
@@ -311,6 +329,57 @@ internal static class ContactSet
         }
 
         return !inside;
+    }
+
+    /// <summary>Pushes a ball out of moving objects by at most a distance in all, then out of stationary ones, which it never enters.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="set">The contacts.</param>
+    /// <param name="most">The distance, m: stationary surfaces beyond it may be missing from the set.</param>
+    public static void PushOut(World world, ref BallState s, Span<Contact> set, double most)
+    {
+        Vector3d from = s.Position;
+        foreach (ref readonly Contact contact in set)
+        {
+            ShapePoint at = world.ByIndex[contact.Collider].At(s.Position, s.Time);
+            double over = world.Ball.Radius - at.Distance;
+            s.Position += contact.Moves && over > 0 ? Math.Min(most, over) * at.Normal : Vector3d.Zero;
+        }
+
+        Vector3d pushed = s.Position - from;
+        double length = pushed.Length;
+        s.Position = length > most ? from + (most / length * pushed) : s.Position;
+        KeepOut(world, ref s, set);
+    }
+
+    /// <summary>Pushes a ball out of all stationary objects. If that fails, the ball returns to its old position, with zero velocity.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball, which may have been pushed past its known contacts.</param>
+    /// <param name="back">The old position, m.</param>
+    [SkipLocalsInit]
+    public static void StayOut(World world, ref BallState s, in Vector3d back)
+    {
+        Span<Contact> room = stackalloc Contact[Room];
+        for (int round = 0; round < MostWays; round++)
+        {
+            // Repeat, because each round of projections gains little between walls at a small angle.
+            Span<Contact> near = Near(world, in s, 0, room, world.Room);
+            bool isInside = false;
+            foreach (ref readonly Contact contact in near)
+            {
+                isInside |= !contact.Moves && contact.Gap < -ContactTolerances.Overlap;
+            }
+
+            if (!isInside)
+            {
+                return;
+            }
+
+            KeepOut(world, ref s, near);
+        }
+
+        s.Position = back;
+        s.Velocity = Vector3d.Zero;
     }
 
     private static bool Put(World world, ref BallState s, in Contact contact, bool closes)

@@ -22,17 +22,10 @@ internal static class ContactTolerances
     /// <remarks>Above: the times of a chain of balls lose digits. Below: rounding splits simultaneous impacts.</remarks>
     public const double BallsTouch = 1e-13;
 
-    /// <summary>The overlap with a stationary object from which a ball of a pile is moved, m.</summary>
-    /// <remarks>Above: a pile sinks in slowly. Below: rounding moves balls that only touch.</remarks>
-    public const double PileCorrection = 1e-13;
-
-    /// <summary>The gap at which a ball is exactly on a surface, m.</summary>
-    /// <remarks>Above: a projected ball stays so far off that its next contact is late. Below: two surfaces cannot be met within rounding.</remarks>
+    /// <summary>The gap at which a ball is exactly on a surface, m. Two depths that differ by less are equal.</summary>
+    /// <remarks>Above: a projected ball stays so far off that its next contact is late, or the lower of two tiles carries it. Below: two surfaces cannot
+    /// be met within rounding, which then chooses between flush tiles.</remarks>
     public const double ClosedGap = 1e-12;
-
-    /// <summary>Two depths are equal within this, m.</summary>
-    /// <remarks>Above: the lower of two tiles carries the ball. Below: rounding chooses between flush tiles.</remarks>
-    public const double SameDepth = 1e-12;
 
     /// <summary>The minimum distance beyond an edge at which a piece ends, m.</summary>
     /// <remarks>Above: the ball passes a narrow next tile. Below: rounding keeps the ball on this side, and pieces of no length follow.</remarks>
@@ -78,17 +71,13 @@ internal static class ContactTolerances
     /// mouth.</remarks>
     public const double Projected = 1e-6;
 
-    /// <summary>The overlap of two balls from which they are separated even if they do not close, m.</summary>
-    /// <remarks>Above: balls stay visibly inside each other. Below: resting balls of a pile meet again in every step.</remarks>
+    /// <summary>The overlap that is no contact, m: two balls are separated even if they do not close, and a moving object squeezes a ball of a pile.</summary>
+    /// <remarks>Above: balls stay visibly inside each other, or roll inside an object. Below: the error of a part counts as an overlap.</remarks>
     public const double BallOverlap = 1e-6;
 
     /// <summary>The maximum gap of two balls in sustained contact, m.</summary>
     /// <remarks>Above: balls that pass each other form a pile. Below: a pile falls apart by the error of a part.</remarks>
     public const double Leaning = 1e-6;
-
-    /// <summary>The depth in a moving object beyond which a ball is squeezed by the object and not supported by it, m.</summary>
-    /// <remarks>Above: a squeezed ball rolls inside the object. Below: a supported ball loses its carrier by the error of a part.</remarks>
-    public const double SqueezedDepth = 1e-6;
 
     /// <summary>The maximum distance of a ball from its carrier in a valid state, per metre of its coordinates, m.</summary>
     /// <remarks>Above: a wrong state passes the check. Below: rounding and the integrator's error fail it.</remarks>
@@ -109,13 +98,9 @@ internal static class ContactTolerances
 
     // ---- Speeds in m/s; spins, multiplied by the radius ----
 
-    /// <summary>The speed below which a ball is at a standstill, m/s; for spins, times the radius.</summary>
-    /// <remarks>Above: a creeping ball stops. Below: rounding keeps a ball moving.</remarks>
+    /// <summary>The speed below which a ball is at a standstill, and the change below which its motion is the same, m/s; for spins, times the radius.</summary>
+    /// <remarks>Above: a creeping ball stops. Below: rounding keeps a ball moving, and each piece computes its rates twice.</remarks>
     public const double Standstill = 1e-12;
-
-    /// <summary>The change of the velocity by a projection below which computed rates stay valid, m/s.</summary>
-    /// <remarks>Above: rates of another motion start the piece. Below: each piece computes its rates twice.</remarks>
-    public const double Unmoved = 1e-12;
 
     /// <summary>A closing speed below this counts as zero, m/s.</summary>
     /// <remarks>Above: a slow ball sinks in without an impact. Below: rounding of a resting ball counts as an impact.</remarks>
@@ -297,12 +282,9 @@ internal static class ContactTolerances
     /// <remarks>Above: unique loads are shared by least squares. Below: undetermined loads are amplified rounding.</remarks>
     public const double Singular = 1e-9;
 
-    /// <summary>Two loads are equal if they differ by less than this share; the first contact then has priority.</summary>
+    /// <summary>Two loads, or two friction impulses, are equal if they differ by less than this share; the first contact then has priority.</summary>
     /// <remarks>Above: a lighter contact is the carrier. Below: rounding chooses between equal loads.</remarks>
     public const double SameLoad = 1e-9;
-
-    /// <summary>The relative rounding of a friction impulse that is computed from velocities.</summary>
-    public const double SameFriction = 1e-9;
 
     /// <summary>The share of a friction cone that forces keep clear, of its square.</summary>
     /// <remarks>Above: friction is weaker than the law. Below: the moved force is outside by rounding.</remarks>
@@ -322,8 +304,8 @@ internal static class ContactTolerances
 
     /// <summary>The convergence of impulses that only locate the evaluation at the end of a part, or after the last iteration.</summary>
     /// <remarks>
-    /// It also serves if Newton's method gains little or fails twice: undetermined loads, such as those of a ball between a player and a post, converge
-    /// slowly. Above: the loads are visibly wrong. Below: the iterations run out, and the set counts as unsolved.
+    /// Undetermined loads, such as those of a ball between a player and a post, converge slowly. Above: the loads are visibly wrong. Below: the iterations
+    /// run out, and the set counts as unsolved.
     /// </remarks>
     public const double Foreseen = 1e-8;
 

@@ -113,7 +113,7 @@ internal static class Flush
             return rises < 0;
         }
 
-        if (Math.Abs(deeper) > ContactTolerances.SameDepth)
+        if (Math.Abs(deeper) > ContactTolerances.ClosedGap)
         {
             return deeper > 0;
         }

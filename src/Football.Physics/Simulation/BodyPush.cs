@@ -17,13 +17,13 @@ internal sealed class BodyPush
 
     private readonly World _world;
     private readonly WorldContact _contact;
-    private readonly Displacement _displacement;
+    private readonly WorldGuard _guard;
 
-    public BodyPush(World world, Displacement displacement, WorldContact contact)
+    public BodyPush(World world, WorldGuard guard, WorldContact contact)
     {
         _world = world;
         _contact = contact;
-        _displacement = displacement;
+        _guard = guard;
     }
 
     /// <summary>Resolves the overlaps before the pieces of a step.</summary>
@@ -57,7 +57,7 @@ internal sealed class BodyPush
         }
 
         // While the ball is pushed out, it may pass through nets and goals.
-        _displacement.Follow(ref s, in from, ref run);
+        _guard.Follow(ref s, in from, ref run);
     }
 
     /// <summary>Hands the ball over to a flush body if a step starts just beyond a seam.</summary>

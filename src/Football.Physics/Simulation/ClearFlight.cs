@@ -11,8 +11,8 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 internal sealed class ClearFlight
 {
-    /// <summary>Number of steps to look ahead if the air changes the motion little per step.</summary>
-    private const double Ahead = 16;
+    /// <summary>Number of steps to look ahead if the air changes the motion little per step; also that of the spheres of balls in a group.</summary>
+    public const double Ahead = 16;
 
     /// <summary>Number of steps to look ahead if the longer path is not clear: fewer steps need a narrower margin.</summary>
     private const double Nearer = 4;

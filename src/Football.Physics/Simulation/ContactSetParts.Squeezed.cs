@@ -7,14 +7,8 @@ namespace FootballPhysics.Simulation;
 /// <summary>Steps a ball that moving objects squeeze: they leave the ball no room, so each part of a step moves it as far as possible.</summary>
 internal sealed partial class ContactSetParts
 {
-    /// <summary>Number of solver iterations for a ball that may have no room.</summary>
-    private const int SqueezedRounds = 20;
-
     /// <summary>A ball that is squeezed more often than this in one step stays squeezed until the next step.</summary>
     private const int MostSqueezes = 1;
-
-    /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
-    private const double OutOfTheWay = 5.0;
 
     /// <summary>A direction leads off all contacts if its component along every normal is at least this.</summary>
     private const double Room = 0.1;
@@ -45,7 +39,7 @@ internal sealed partial class ContactSetParts
             double came = from.Velocity.Length;
 
             // The search radius covers the ball's own path, the path of a mover (or of a struck ball at twice its speed), and the resolved overlap.
-            double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
+            double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + ContactSet.OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
             // Approximate the contact impulses in a few iterations, because without room there may be no exact solution.
@@ -53,10 +47,10 @@ internal sealed partial class ContactSetParts
             LeaveOut(ref set, run.Log);
 
             // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.
-            SolvedSet.KeepOff(set, h, movers: true, ref v);
+            SolvedSet.KeepOff(set, _world, h, movers: true, ref v);
             double given = Math.Max(came, WorldContact.FastestBy(set));
             Vector3d kept = v;
-            SolvedSet.KeepOff(set, h, movers: false, ref kept);
+            SolvedSet.KeepOff(set, _world, h, movers: false, ref kept);
 
             // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
@@ -65,7 +59,7 @@ internal sealed partial class ContactSetParts
             // Limit the speed to this value. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
-            SolvedSet.KeepOff(set, h, movers: false, ref v);
+            SolvedSet.KeepOff(set, _world, h, movers: false, ref v);
 
             var path = PathCubic.Line(s.Position, in v, h);
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
@@ -79,8 +73,9 @@ internal sealed partial class ContactSetParts
             // Resolve overlaps with moving objects at a limited speed, and with stationary ones at once. This displacement may enter nets and goals.
             // At a passage, moving objects wait for the next part: the ball must not be pushed back across the line that it has just crossed.
             Vector3d moved = s.Position;
-            PushOut(ref s, set, passes ? 0 : OutOfTheWay * h, before.Position);
-            _displacement.Follow(ref s, in moved, ref run);
+            ContactSet.PushOut(_world, ref s, set, passes ? 0 : ContactSet.OutOfTheWay * h);
+            ContactSet.StayOut(_world, ref s, before.Position);
+            _guard.Follow(ref s, in moved, ref run);
             Halt(ref s, set, before.Position, h * free.Acceleration.Length);
             isFree = IsFree(in s, set);
             _shown.ShowStraight(in before, in s, set, ref run);
@@ -131,79 +126,24 @@ internal sealed partial class ContactSetParts
         return !overlaps && (!pushed || pressing < 2);
     }
 
-    /// <summary>True if the ball overlaps no object and some direction d leads off all contacts: d·n > 0 for each.</summary>
+    /// <summary>True if the ball overlaps no object and some direction leads off all contacts.</summary>
     [SkipLocalsInit]
     private bool HasRoom(in BallState s)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
-        Vector3d way = Vector3d.Zero;
-        for (int round = 0; round < SqueezedRounds; round++)
+        foreach (ref Contact contact in set)
         {
-            int nearest = -1;
-            double least = Room;
-            for (int i = 0; i < set.Length; i++)
+            if (contact.Gap < -ContactTolerances.Touching)
             {
-                double off = Vector3d.Dot(in way, in set[i].Normal);
-                if (set[i].Gap < -ContactTolerances.Touching)
-                {
-                    return false;
-                }
-
-                nearest = off < least ? i : nearest;
-                least = Math.Min(least, off);
+                return false;
             }
 
-            if (nearest < 0)
-            {
-                return true;
-            }
-
-            // Perceptron: turn the direction d towards the normal n with the smallest d·n.
-            way += set[nearest].Normal;
-            way = 1.0 / Math.Max(1.0, way.Length) * way;
+            contact.Velocity = Room * contact.Normal;
         }
 
-        return false;
-    }
-
-    /// <summary>True if the ball overlaps a stationary object.</summary>
-    private bool IsInside(in BallState s)
-    {
-        Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        foreach (ref readonly Contact contact in ContactSet.Near(_world, in s, 0, room, _world.Room))
-        {
-            if (!contact.Moves && contact.Gap < -ContactTolerances.Touching)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>Resolves the overlaps of a squeezed ball.</summary>
-    /// <remarks>Moving objects push it up to a maximum distance, then stationary ones push it out completely. If that fails, the ball returns to its old position.</remarks>
-    private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
-    {
-        Vector3d from = s.Position;
-        foreach (ref readonly Contact contact in set)
-        {
-            ShapePoint at = _world.ByIndex[contact.Collider].At(s.Position, s.Time);
-            double gap = at.Distance - _around.Radius;
-            s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
-        }
-
-        // Limit the total displacement by all movers: the set may not contain stationary surfaces beyond this distance.
-        Vector3d pushed = s.Position - from;
-        double length = pushed.Length;
-        s.Position = length > most ? from + (most / length * pushed) : s.Position;
-
-        // No free position was found: return the ball to its old position, with zero velocity.
-        if (!ContactSet.KeepOut(_world, ref s, set) || IsInside(in s))
-        {
-            s.Position = back;
-            s.Velocity = Vector3d.Zero;
-        }
+        // The least velocity v with v·n ≥ Room at each contact.
+        Vector3d v = Vector3d.Zero;
+        return SolvedSet.KeepOff(set, _world, 0, movers: true, ref v) && v.Length <= 1;
     }
 }

@@ -14,26 +14,24 @@ internal sealed partial class ContactSetParts
     private const double Part = 0.5e-3;
 
     /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
-    private const int MostParts = 16;
+    public const int MostParts = 16;
 
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly Rest _rest;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
-    private readonly Displacement _displacement;
     private readonly PartForces _forces;
     private readonly ShownPath _shown;
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
 
-    public ContactSetParts(Surroundings around, WorldGuard guard, Displacement displacement, WorldContact contact)
+    public ContactSetParts(Surroundings around, WorldGuard guard, WorldContact contact)
     {
         _around = around;
         _world = around.World;
         _rest = new Rest(around);
         _guard = guard;
-        _displacement = displacement;
         _contact = contact;
         _forces = new PartForces(around);
         _shown = new ShownPath(_world);
@@ -151,7 +149,7 @@ internal sealed partial class ContactSetParts
         part.Spin = from.Spin + ((0.5 * h) * (part.Start.SpinAcceleration + there.SpinAcceleration));
         var unheld = new Motion(from.Position, in part.Velocity, in part.Spin);
         part.Solved = ImpulseSolver.Solve(set, _world.Ball, h, ref part.Velocity, ref part.Spin);
-        SolvedSet.Correct(set, _world.Ball, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
+        SolvedSet.Correct(set, _world, h, part.Solved, in unheld, ref part.Velocity, ref part.Spin);
     }
 
     /// <summary>Moves the ball to the end of a part or to the first contact, then projects it onto its contacts.</summary>
@@ -184,7 +182,7 @@ internal sealed partial class ContactSetParts
         Vector3d moved = s.Position;
         Hold(ref s, set);
         SolvedSet.PayForLift(ref s, set, _world.Ball, _around.Weight, in moved);
-        _displacement.Follow(ref s, in moved, ref run);
+        _guard.Follow(ref s, in moved, ref run);
         _shown.Show(in before, in s, before.Velocity, s.Velocity, set, ref run);
     }
 

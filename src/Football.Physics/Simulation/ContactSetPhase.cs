@@ -204,7 +204,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         StuckMotion.Project(_world, in system, ref s);
         var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Unmoved))
+        if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Standstill))
         {
             system.BeginTrace();
             system.Rates(s.Time, in stuck, out system.Start);

@@ -41,7 +41,6 @@ internal class SceneStepper<TIntegrator> : Stepper
     private readonly KnownRests? _rests; // null if a ball may wake although nothing moves, or if nothing wakes it
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
-    private readonly Displacement _displacement;
 
     public SceneStepper(Scene scene, SolverSettings settings, in SceneAir air)
         : base(new Surroundings(scene, in air))
@@ -64,14 +63,13 @@ internal class SceneStepper<TIntegrator> : Stepper
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _contact = new WorldContact(around, _integrator.GainsByHops);
         var guard = new WorldGuard(world, _contact, settings);
-        _displacement = new Displacement(world, guard);
-        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;
+        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, guard, _contact) : null;
 
         // Friction may accelerate the ball more than gravity does.
         double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
         OwnForceGuard? own = _air.HasOwnForces ? new OwnForceGuard(scene) : null;
-        _parts = new ContactSetParts(around, guard, _displacement, _contact);
+        _parts = new ContactSetParts(around, guard, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts, own);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set, own);
         _holds = new Rest(around);

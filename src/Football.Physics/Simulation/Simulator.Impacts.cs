@@ -25,7 +25,7 @@ public sealed partial class Simulator
         // A contact that slips has the largest friction.
         var impact = new Impact(Scene.Ball, new BallEvent(in happened, new ImpactContact(Vector3d.Zero, grips: true)));
         double most = FrictionLaw.Limit(hit.MaterialAt(happened.Position).ImpactFriction, impact.NormalImpulse);
-        bool slips = impact.TangentialImpulse > 0 && impact.TangentialImpulse >= most * (1.0 - ContactTolerances.SameFriction);
+        bool slips = impact.TangentialImpulse > 0 && impact.TangentialImpulse >= most * (1.0 - ContactTolerances.SameLoad);
         return slips ? impact with { Grips = false } : impact;
     }
 

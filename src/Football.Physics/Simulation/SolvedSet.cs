@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using FootballPhysics.Contacts;
 
@@ -6,87 +7,52 @@ namespace FootballPhysics.Simulation;
 /// <summary>Checks and corrects what the solver of a contact set returns.</summary>
 internal static class SolvedSet
 {
-    /// <summary>Maximum number of projections of a velocity.</summary>
-    private const int MostRounds = 20;
-
     /// <summary>Corrects the velocity and the spin after a part: no contact closes, and stationary contacts do no work on the ball.</summary>
     /// <remarks>An exact solution stays as it is.</remarks>
     /// <param name="set">The contacts.</param>
-    /// <param name="ball">The ball.</param>
+    /// <param name="world">The world.</param>
     /// <param name="h">Length of the part, s; 0 for an impact.</param>
     /// <param name="solved">True if the solver found impulses for all contacts.</param>
     /// <param name="free">Velocity and spin without contacts.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
-    public static void Correct(Span<Contact> set, BallProperties ball, double h, bool solved, in Motion free, ref Vector3d v, ref Vector3d w)
+    public static void Correct(Span<Contact> set, World world, double h, bool solved, in Motion free, ref Vector3d v, ref Vector3d w)
     {
         if (!solved)
         {
             double speed = v.Length;
             double most = free.Velocity.Length;
             v = speed > most ? most / speed * v : v;
-            if (!KeepOff(set, h, movers: true, ref v) && !ContactSet.HasMover(set))
+            if (!KeepOff(set, world, h, movers: true, ref v) && !ContactSet.HasMover(set))
             {
-                v = AlongWedge(set, in v);
+                v = Vector3d.Zero;
             }
         }
 
-        var pressed = new PressedBall(ball) { V = v, W = w, FreeV = free.Velocity, FreeW = free.Spin };
+        var pressed = new PressedBall(world.Ball) { V = v, W = w, FreeV = free.Velocity, FreeW = free.Spin };
         ImpulseSolver.LimitWork(MemoryMarshal.CreateSpan(ref pressed, 1), set);
         v = pressed.V;
         w = pressed.W;
     }
 
-    /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones.</summary>
-    /// <returns>False if the contacts still close: in a narrow wedge, projections need too many rounds.</returns>
-    public static bool KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
+    /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones, by impulses without friction.</summary>
+    /// <returns>False if the contacts still close.</returns>
+    [SkipLocalsInit]
+    public static bool KeepOff(Span<Contact> set, World world, double h, bool movers, ref Vector3d v)
     {
-        double most = 0;
-        bool closes = true;
-        for (int round = 0; round < MostRounds && closes; round++)
-        {
-            closes = false;
-            most = 0;
-            foreach (ref readonly Contact contact in set)
-            {
-                // If (v − V)·n + gap/h < 0, the ball would overlap the collider within the part. Project out the excess, contact by
-                // contact.
-                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
-                if ((movers || !contact.Moves) && closing < 0)
-                {
-                    v -= closing * contact.Normal;
-                    closes = true;
-                    most = Math.Max(most, -closing);
-                }
-            }
-        }
-
-        return most <= ContactTolerances.Approaching;
-    }
-
-    /// <summary>Returns the component of a velocity along the narrowest wedge; zero if that closes on another contact.</summary>
-    private static Vector3d AlongWedge(Span<Contact> set, in Vector3d v)
-    {
-        double least = 0;
-        Vector3d edge = default;
-        for (int i = 0; i < set.Length; i++)
-        {
-            for (int j = 0; j < i; j++)
-            {
-                double cosine = Vector3d.Dot(in set[i].Normal, in set[j].Normal);
-                edge = cosine < least ? Vector3d.Cross(in set[i].Normal, in set[j].Normal) : edge;
-                least = Math.Min(least, cosine);
-            }
-        }
-
-        double square = edge.LengthSquared;
-        Vector3d along = square > 0 ? Vector3d.Dot(in v, in edge) / square * edge : Vector3d.Zero;
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> smooth = world.Spare.Of(set.Length, room);
+        int count = 0;
         foreach (ref readonly Contact contact in set)
         {
-            along = Vector3d.Dot(in along, in contact.Normal) < -ContactTolerances.Approaching ? Vector3d.Zero : along;
+            if (movers || !contact.Moves)
+            {
+                smooth[count++] = contact with { Gap = h > 0 ? contact.Gap : 0, Material = default, Load = 0, Rub = Vector3d.Zero };
+            }
         }
 
-        return along;
+        Vector3d none = Vector3d.Zero;
+        return ImpulseSolver.Solve(smooth.Slice(0, count), world.Ball, h, ref v, ref none, closing: ContactTolerances.Approaching);
     }
 
     /// <summary>Takes the energy of a lift from the speed and the spin of a ball: a projection onto stationary contacts does no work.</summary>

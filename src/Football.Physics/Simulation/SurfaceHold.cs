@@ -5,9 +5,6 @@ namespace FootballPhysics.Simulation;
 /// <summary>Holds a sliding or rolling ball on its carrier at the end of a piece, to remove the integrator's error.</summary>
 internal sealed class SurfaceHold
 {
-    /// <summary>Maximum number of iterations that move a ball onto a second surface.</summary>
-    private const int MostPuts = 16;
-
     private readonly World _world;
     private readonly bool _brakesAlone;
 
@@ -31,7 +28,9 @@ internal sealed class SurfaceHold
 
         if (met >= 0)
         {
-            n = PutOnto(ref s, system.Carrier, met);
+            // A flush surface, with a nearly equal normal, becomes the next carrier instead.
+            ContactSet.PutOntoTwo(_world, ref s, system.Carrier, _world.ByIndex[met]);
+            n = _world.Hold(ref s, system.Carrier);
         }
 
         Vector3d spin = s.SpinAxis;
@@ -44,33 +43,5 @@ internal sealed class SurfaceHold
         Vector3d surface = _world.SurfaceVelocity(system.Carrier, s.Position, in n, s.Time);
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - surface, kept, in n, _world.Ball.Radius)
             : kept == about ? spin : spin - ((about - kept) * n);
-    }
-
-    /// <summary>Moves the ball along its carrier onto a second surface that it touches, and iterates if the surfaces are curved.</summary>
-    /// <remarks>
-    /// A flush surface, with a nearly equal normal, is skipped: it becomes the next carrier instead.
-    /// </remarks>
-    /// <returns>The carrier's normal at the new position.</returns>
-    private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
-    {
-        Vector3d n = carrier.At(s.Position, s.Time).Normal;
-
-        // Use Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
-        for (int i = 0; i < MostPuts; i++)
-        {
-            ShapePoint at = _world.ByIndex[collider].At(s.Position, s.Time);
-            Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
-            double gap = at.Distance - _world.Ball.Radius;
-            double share = along.LengthSquared;
-            if (!(Math.Abs(gap) > ContactTolerances.ClosedGap) || !(share > 2.0 * ContactTolerances.SameNormal))
-            {
-                break;
-            }
-
-            s.Position -= gap / share * along;
-            n = _world.Hold(ref s, carrier);
-        }
-
-        return n;
     }
 }

@@ -33,7 +33,7 @@ internal sealed partial class WorldContact
             return;
         }
 
-        SolvedSet.Correct(set, _world.Ball, 0, solved, in before, ref v, ref w);
+        SolvedSet.Correct(set, _world, 0, solved, in before, ref v, ref w);
         s.Velocity = v;
         s.SetGroundSpin(in w);
 

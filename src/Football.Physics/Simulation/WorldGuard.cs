@@ -10,6 +10,9 @@ internal sealed class WorldGuard
     /// <summary>Maximum number of searches per piece. Each shorter piece gives a more accurate path for the next search.</summary>
     private const int MostSearches = 8;
 
+    /// <summary>Maximum number of nets and goals on one straight line: more than can exist at one position.</summary>
+    private const int MostPassages = 32;
+
     private readonly World _world;
     private readonly WorldContact _contact;
     private readonly bool _bisects;
@@ -244,6 +247,49 @@ internal sealed class WorldGuard
         // If the gap closes in between, it stays within the contact tolerance.
         met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
         return before * -rate <= 4.0 * ContactTolerances.Touching;
+    }
+
+    /// <summary>Follows a ball that is displaced out of an overlap: on that straight path it may enter nets and pass through goals.</summary>
+    /// <param name="s">The ball, at its new position.</param>
+    /// <param name="from">Its old position, m.</param>
+    /// <param name="run">The step.</param>
+    public void Follow(ref BallState s, in Vector3d from, ref StepRun run)
+    {
+        Vector3d to = s.Position;
+        if (_world.Nets.Length + _world.Goals.Length > 0 && to != from)
+        {
+            // The events contain the positions of the passages, and the time of the displacement.
+            s.Position = from;
+            MoveAlong(ref s, (to - from) / ContactTolerances.Displacement, ContactTolerances.Displacement, passes: 0, ref run);
+            s.Position = to;
+            _contact.LeaveNetEnd(ref s, ref run);
+        }
+    }
+
+    /// <summary>Moves a ball in a straight line, through the nets and goals on it, in order.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="velocity">The velocity of the line, m/s.</param>
+    /// <param name="duration">The duration, s.</param>
+    /// <param name="passes">The time that passes per duration: 1, or 0 for a displacement.</param>
+    /// <param name="run">The step.</param>
+    public void MoveAlong(ref BallState s, in Vector3d velocity, double duration, double passes, ref StepRun run)
+    {
+        for (int i = 0; i < MostPassages && _world.Nets.Length + _world.Goals.Length > 0; i++)
+        {
+            var path = PathCubic.Line(s.Position, in velocity, duration);
+            double at = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation met);
+            if (!(at <= duration))
+            {
+                break;
+            }
+
+            s.Position = path.At(at);
+            s.Time += passes * at;
+            duration -= at;
+            Pass(ref s, in met, ref run);
+        }
+
+        s.Position += duration * velocity;
     }
 
     /// <summary>Refines a contact from the cubic to the integrator's own step: bracketed Newton iteration on the gap.</summary>

@@ -56,7 +56,7 @@ public sealed class SolvedSetTests
         BallState state = simulator.Launch(Between() + new Vector3d(0, 1e-4, 0), Vector3d.Zero, Vector3d.Zero);
         Span<Contact> set = Touched(simulator, in state);
         var v = new Vector3d(0.2, -3, 1);
-        Assert.True(SolvedSet.KeepOff(set, duration, movers: true, ref v));
+        Assert.True(SolvedSet.KeepOff(set, simulator.World!, duration, movers: true, ref v));
         Assert.Equal(1, v.Z, 1e-12);
         Assert.Equal(2, set.Length);
         foreach (ref readonly Contact contact in set)

@@ -9,9 +9,6 @@ namespace FootballPhysics.Simulation;
 /// </remarks>
 internal sealed class BallNeighbours
 {
-    /// <summary>Number of steps that a sphere covers.</summary>
-    private const double Ahead = 16;
-
     /// <summary>Minimum margin of a sphere around the ball, m: a resting ball may be nudged.</summary>
     private const double LeastRoom = 0.25;
 
@@ -85,7 +82,7 @@ internal sealed class BallNeighbours
         for (int i = 0; i < _spheres.Length; i++)
         {
             ref Sphere sphere = ref _spheres[i];
-            double ahead = Ahead * dt;
+            double ahead = ClearFlight.Ahead * dt;
 
             // Bound the speed, allowing for a fall and a small push. From this speed, bound the distance in one step and in all steps ahead.
             double most = before[i].Velocity.Length + (Fall * ahead) + (LeastRoom / ahead);

@@ -7,9 +7,8 @@ namespace FootballPhysics.Simulation;
 /// bounce when they touch, and end a part. No ball enters a stationary object.</remarks>
 internal sealed partial class BallPile
 {
-    /// <summary>Length of a part, s, and the maximum number of parts per step.</summary>
+    /// <summary>Length of a part, s. A step takes at most as many parts as that of a single ball.</summary>
     private const double Part = 2e-3;
-    private const int MostParts = 16;
 
     /// <summary>The change of a custom force in a part, as a share of it, up to which the force stays the same for the longest part.</summary>
     private const double SoftForce = 0.05;
@@ -83,7 +82,7 @@ internal sealed partial class BallPile
         _plans = 0;
         _ends = 0;
         _length = 0;
-        _longest = Math.Max(Part, step / MostParts);
+        _longest = Math.Max(Part, step / ContactSetParts.MostParts);
         Time = time;
         Until = time;
     }

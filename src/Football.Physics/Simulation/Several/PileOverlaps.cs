@@ -7,15 +7,8 @@ namespace FootballPhysics.Simulation;
 /// <param name="system">The pile's balls and contacts.</param>
 internal sealed class PileOverlaps(Simulator[] simulators, PileSystem system)
 {
-    /// <summary>Maximum number of iterations for overlaps of balls and objects, and for corners.</summary>
+    /// <summary>Maximum number of iterations for overlaps of balls and objects.</summary>
     private const int MostRounds = 128;
-    private const int MostCorners = 64;
-
-    /// <summary>Maximum number of projections that move a ball out of stationary surfaces after a part.</summary>
-    private const int MostWays = 16;
-
-    /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
-    private const double OutOfTheWay = 5.0;
 
     /// <summary>Separates overlapping balls by their masses, then pushes them out of moving objects up to a distance, and out of stationary
     /// ones.</summary>
@@ -53,7 +46,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSystem system)
 
             for (int i = 0; i < system.Count; i++)
             {
-                moved |= KeepOut(i, states, round == 0 ? OutOfTheWay * duration : 0);
+                moved |= KeepOut(i, states, round == 0 ? ContactSet.OutOfTheWay * duration : 0);
             }
         }
 
@@ -80,46 +73,6 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSystem system)
         return deepest;
     }
 
-    /// <summary>Pushes a ball out of all stationary objects, or back to its old position: many balls may push it past the known
-    /// contacts.</summary>
-    private void StayOut(int index, BallState[] states)
-    {
-        ref readonly PileMember member = ref system.Members[index];
-        World world = simulators[member.Ball].World;
-        ref BallState s = ref states[member.Ball];
-        Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        for (int round = 0; round < MostWays; round++)
-        {
-            // Repeat, because each round of projections gains little between walls at a small angle.
-            Span<Contact> near = ContactSet.Near(world, in s, 0, room, world.Room);
-            if (!IsInside(near))
-            {
-                return;
-            }
-
-            ContactSet.KeepOut(world, ref s, near);
-        }
-
-        if (IsInside(ContactSet.Near(world, in s, 0, room, world.Room)))
-        {
-            s.Position = member.From.Position;
-            s.Velocity = Vector3d.Zero;
-        }
-    }
-
-    private static bool IsInside(Span<Contact> near)
-    {
-        foreach (ref readonly Contact contact in near)
-        {
-            if (!contact.Moves && contact.Gap < -ContactTolerances.Overlap)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
     /// <summary>Pushes a ball out of stationary objects.</summary>
     public void KeepOut(int member, BallState[] states)
     {
@@ -127,48 +80,20 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSystem system)
         StayOut(member, states);
     }
 
-    /// <summary>Pushes a ball out of objects that it overlaps; stationary ones last, so that the ball does not enter them.</summary>
-    /// <returns>True if it overlapped an object.</returns>
-    private bool KeepOut(int index, BallState[] states, double outOfTheWay)
+    /// <summary>Pushes a ball out of objects that it overlaps.</summary>
+    /// <returns>True if that moved it.</returns>
+    private bool KeepOut(int member, BallState[] states, double most)
     {
-        int ball = system.Members[index].Ball;
-        World world = simulators[ball].World;
-        ref BallState s = ref states[ball];
-        Span<Contact> contacts = system.OwnContactsOf(index);
-        bool moved = false;
-        bool inside = contacts.Length > 0;
-        for (int round = 0; round < MostCorners && inside; round++)
-        {
-            inside = false;
-            for (int pass = 0; pass < 2; pass++)
-            {
-                Vector3d from = s.Position;
-                foreach (ref readonly Contact contact in contacts)
-                {
-                    if (contact.Moves != (pass == 0))
-                    {
-                        continue;
-                    }
+        int ball = system.Members[member].Ball;
+        Vector3d from = states[ball].Position;
+        ContactSet.PushOut(simulators[ball].World, ref states[ball], system.OwnContactsOf(member), most);
+        return (states[ball].Position - from).Length > ContactTolerances.PileOverlap;
+    }
 
-                    Collider collider = world.ByIndex[contact.Collider];
-                    ShapePoint at = collider.At(s.Position, s.Time);
-                    double over = world.Ball.Radius - at.Distance;
-                    if (over > ContactTolerances.PileCorrection && (pass == 1 || round == 0))
-                    {
-                        s.Position += (pass == 0 ? Math.Min(over, outOfTheWay) : over) * at.Normal;
-                        inside |= pass == 1;
-                        moved |= over > ContactTolerances.PileOverlap;
-                    }
-
-                    s.Position = collider.SnapUp(s.Position);
-                }
-
-                // Limit the total displacement by all movers to the limit for a single mover.
-                double way = (s.Position - from).Length;
-                s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
-            }
-        }
-
-        return moved;
+    /// <summary>Keeps a ball out of all stationary objects: many balls may push it past the known contacts.</summary>
+    private void StayOut(int member, BallState[] states)
+    {
+        int ball = system.Members[member].Ball;
+        ContactSet.StayOut(simulators[ball].World, ref states[ball], system.Members[member].From.Position);
     }
 }

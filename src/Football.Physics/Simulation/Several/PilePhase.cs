@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;
@@ -8,9 +7,6 @@ namespace FootballPhysics.Simulation;
 /// pile.</summary>
 internal sealed class PilePhase
 {
-    /// <summary>Maximum number of nets and goals on the path of a part.</summary>
-    private const int MostPassages = 8;
-
     /// <summary>Below this speed no change of the carrier alone is reported, m/s: in a pile, the load may alternate between two surfaces.</summary>
     private const double ReportedSpeed = 0.05;
 
@@ -69,23 +65,8 @@ internal sealed class PilePhase
         s.BaseOrientation = s.BaseOrientation.Turned((0.5 * duration) * (s.Spin + w));
         s.Velocity = v;
         s.SpinAxis = w;
-        for (int i = 0; i < MostPassages && _world.Nets.Length + _world.Goals.Length > 0; i++)
-        {
-            double left = end - s.Time;
-            var path = PathCubic.Line(s.Position, in way, left);
-            double at = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation met);
-            if (!(at <= left))
-            {
-                break;
-            }
-
-            s.Position = path.At(at);
-            s.Time += at;
-            var run = new StepRun(0, s.Time, log);
-            _guard.Pass(ref s, in met, ref run);
-        }
-
-        s.Position += (end - s.Time) * way;
+        var run = new StepRun(0, s.Time, log);
+        _guard.MoveAlong(ref s, in way, duration, passes: 1, ref run);
         s.Time = end;
         log.Steps++;
     }
@@ -140,7 +121,7 @@ internal sealed class PilePhase
         BallState free = s;
         free.Motion = MotionState.Airborne;
         int deepest = NearThings.Deepest(_world, in free, out _);
-        return deepest >= 0 && _world.ByIndex[deepest].Moves && _around.Radius - _world.ByIndex[deepest].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth ? deepest : -1;
+        return deepest >= 0 && _world.ByIndex[deepest].Moves && _around.Radius - _world.ByIndex[deepest].At(s.Position, s.Time).Distance > ContactTolerances.BallOverlap ? deepest : -1;
     }
 
     /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another
