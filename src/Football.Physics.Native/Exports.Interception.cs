@@ -116,9 +116,9 @@ internal static unsafe partial class Exports
     /// <summary>Computes the probability that a player's kick scores: by derivatives if they are accurate, otherwise by simulating random kicks.</summary>
     /// <param name="scene">The scene. Its solver settings are not used.</param>
     /// <param name="requestJson">
-    /// An object in UTF-8: position, velocity, spin; spread with speedPercent, elevationDegrees, azimuthDegrees, spinPercent and their correlations; goal, the index
-    /// of a goal of the scene; keeper, a player; kicks, the number of kicks to simulate, 2 ... 100 000 000, 2 to 6 microseconds each; seed; alwaysSimulate. Only
-    /// position and velocity are required.
+    /// An object in UTF-8: position, velocity, spin; orientation, a quaternion x, y, z, w, on which only the knuckle force depends; spread with speedPercent,
+    /// elevationDegrees, azimuthDegrees, spinPercent and their correlations; goal, the index of a goal of the scene; keeper, a player; kicks, the number of kicks to
+    /// simulate, 2 ... 100 000 000, 2 to 6 microseconds each; seed; alwaysSimulate. Only position and velocity are required.
     /// </param>
     /// <param name="bytes">Its length in bytes; at most 1 048 576.</param>
     /// <param name="out">Receives the result.</param>

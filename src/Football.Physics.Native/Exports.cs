@@ -18,7 +18,7 @@ internal static unsafe partial class Exports
     [
         sizeof(NativeState), sizeof(NativeBall), sizeof(NativeEvent), sizeof(NativeDerivatives), sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception),
         sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult),
-        sizeof(NativeFilterSettings), sizeof(NativeEstimate), sizeof(NativeWatch),
+        sizeof(NativeFilterSettings), sizeof(NativeEstimate), sizeof(NativeWatch), sizeof(NativeForcesResult), sizeof(NativeContactForce),
     ];
 
     private static readonly byte* s_noError = MakeText("");
@@ -53,17 +53,22 @@ internal static unsafe partial class Exports
     /// <param name="impactBytes">sizeof(fp_impact_result).</param>
     /// <param name="filterBytes">sizeof(fp_filter_settings).</param>
     /// <param name="estimateBytes">sizeof(fp_estimate).</param>
+    /// <param name="forcesBytes">sizeof(fp_forces_result).</param>
+    /// <param name="contactBytes">sizeof(fp_contact_force).</param>
     /// <returns>FP_OK, or FP_ABI.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_check_structs")]
     public static NativeStatus CheckStructs(
         int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes, int impactBytes,
-        int filterBytes, int estimateBytes)
+        int filterBytes, int estimateBytes, int forcesBytes, int contactBytes)
     {
-        (int, int, int, int, int, int, int, int, int, int, int, int) mine = (
+        (int, int, int, int, int, int, int, int, int, int, int, int, int, int) mine = (
             sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult),
-            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult), sizeof(NativeFilterSettings), sizeof(NativeEstimate));
-        (int, int, int, int, int, int, int, int, int, int, int, int) given =
-            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes, impactBytes, filterBytes, estimateBytes);
+            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult), sizeof(NativeImpactResult), sizeof(NativeFilterSettings), sizeof(NativeEstimate),
+            sizeof(NativeForcesResult), sizeof(NativeContactForce));
+        (int, int, int, int, int, int, int, int, int, int, int, int, int, int) given =
+        (
+            bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes, impactBytes, filterBytes,
+            estimateBytes, forcesBytes, contactBytes);
         return given == mine
             ? NativeStatus.Ok
             : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");

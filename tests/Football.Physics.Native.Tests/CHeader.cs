@@ -32,7 +32,7 @@ internal sealed partial class CHeader
     [
         typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives), typeof(NativeBody), typeof(NativeMatchEvent), typeof(NativePlayer), typeof(NativeInterception), typeof(NativeWindow),
         typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult), typeof(NativeImpactResult),
-        typeof(NativeFilterSettings), typeof(NativeEstimate), typeof(NativeWatch),
+        typeof(NativeFilterSettings), typeof(NativeEstimate), typeof(NativeWatch), typeof(NativeForcesResult), typeof(NativeContactForce),
     ];
 
     private readonly StringBuilder _text = new();
@@ -107,7 +107,7 @@ internal sealed partial class CHeader
         }
 
         // One line: readers without a preprocessor remove it as a whole.
-        string[] structs = ["body", "match_event", "player", "interception", "window", "goal_chance_result", "fit_result", "piece", "fit_match_result", "impact_result", "filter_settings", "estimate"];
+        string[] structs = ["body", "match_event", "player", "interception", "window", "goal_chance_result", "fit_result", "piece", "fit_match_result", "impact_result", "filter_settings", "estimate", "forces_result", "contact_force"];
         Line("/** Checks that this header matches the library. Other languages call fp_check_sizes. */");
         Line("#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : "
             + $"fp_check_structs({string.Join(", ", structs.Select(name => $"(int32_t)sizeof(fp_{name})"))}))");

@@ -44,6 +44,7 @@ public sealed partial class HeaderTests
                 sizeof(NativePiece), sizeof(NativeFitMatchResult)));
         Assert.Equal(16, sizeof(NativeWatch));
         Assert.Equal((64, 792), (sizeof(NativeFilterSettings), sizeof(NativeEstimate)));
+        Assert.Equal((272, 104), (sizeof(NativeForcesResult), sizeof(NativeContactForce)));
     }
 
     [GeneratedRegex(@"^(?:typedef struct \{.*)?\} fp_(\w+);", RegexOptions.Multiline)]

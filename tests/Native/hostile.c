@@ -57,6 +57,8 @@ typedef struct {
     fp_piece pieces[BODIES];
     fp_fit_match_result match_fit;
     fp_watch watch;
+    fp_forces_result forces;
+    fp_contact_force contacts[2];
     unsigned char g12[64];
     unsigned char saved[BYTES];
     unsigned char g13[64];
@@ -265,7 +267,8 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
         return fp_snapshot_read(seldom(seed) ? NULL : b->snapshot, state);
     case 8: case 9: case 10: return fp_launch(scene(seed), vector(seed, p, 50), vector(seed, v, 40), vector(seed, w, 100), state);
     case 11: case 12: return fp_kick(scene(seed), state, vector(seed, v, 40), vector(seed, w, 100));
-    case 13: case 14: return fp_read(scene(seed), state, seldom(seed) ? NULL : &b->ball);
+    case 14: return fp_forces(scene(seed), state, dt(seed), seldom(seed) ? NULL : &b->forces, seldom(seed) ? NULL : b->contacts, (int32_t)count(seed, 2, INT32_MAX), seldom(seed) ? NULL : b->numbers);
+    case 13: return fp_read(scene(seed), state, seldom(seed) ? NULL : &b->ball);
     case 15: return fp_read_many(scene(seed), seldom(seed) ? NULL : b->states, count(seed, BALLS, INT64_MAX), b->vectors[0], seldom(seed) ? NULL : b->vectors[1], b->vectors[2], seldom(seed) ? NULL : b->numbers);
     case 16: return fp_step_many(scene(seed), seldom(seed) ? NULL : b->states, count(seed, BALLS, INT64_MAX), dt(seed), (int32_t)count(seed, 20, INT32_MAX));
     case 17: return fp_run_many(scene(seed), b->states, count(seed, 4, INT64_MAX), 0.05 + number(seed, 0.05), number(seed, 10), below(seed, 5) - 1, seldom(seed) ? NULL : b->numbers);
@@ -303,11 +306,11 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 39: return fp_intercept_windows(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->windows, (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->numbers);
     case 40:
         if (below(seed, 2)) {
-            int32_t sizes[17];
-            for (int i = 0; i < 17; i++) sizes[i] = (int32_t)next(seed);
-            return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 17, INT32_MAX));
+            int32_t sizes[19];
+            for (int i = 0; i < 19; i++) sizes[i] = (int32_t)next(seed);
+            return fp_check_sizes(FOOTBALL_ABI_VERSION, seldom(seed) ? NULL : sizes, (int32_t)count(seed, 19, INT32_MAX));
         }
-        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 256, 96, 64, 792);
+        return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 256, 96, 64, 792, 272, 104);
     case 50:
         if (below(seed, 8) == 0) {
             fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);

@@ -28,6 +28,8 @@ int main(void)
     fp_state state, before, empty;
     fp_ball ball;
     fp_event event;
+    fp_forces_result forces;
+    fp_contact_force contact;
     const char *players = "{\"bodies\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 0.2}]}";
     fp_match *match, *made;
     fp_body body;
@@ -63,6 +65,11 @@ int main(void)
     EXPECT(FP_ARGUMENT, "launch.velocity is (0, NaN, 0)", fp_kick(scene, &state, nan, zero));
     EXPECT(FP_ARGUMENT, "spin is null", fp_kick(scene, &state, kick, NULL));
     EXPECT(FP_ARGUMENT, "out is null", fp_read(scene, &state, NULL));
+    EXPECT(FP_ARGUMENT, "out is null", fp_forces(scene, &state, 0.01, NULL, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "dt is 0", fp_forces(scene, &state, 0, &forces, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "contacts is null", fp_forces(scene, &state, 0.01, &forces, NULL, 1, &count));
+    EXPECT(FP_ARGUMENT, "capacity is -1", fp_forces(scene, &state, 0.01, &forces, &contact, -1, &count));
+    EXPECT(FP_ARGUMENT, "state was never launched", fp_forces(scene, &empty, 0.01, &forces, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "n is -1", fp_step_many(scene, &state, -1, 0.01, 1));
     EXPECT(FP_ARGUMENT, "steps is -1", fp_step_many(scene, &state, 1, 0.01, -1));
     EXPECT(FP_ARGUMENT, "states is null", fp_read_many(scene, NULL, 1, path, NULL, NULL, NULL));
@@ -70,7 +77,7 @@ int main(void)
     EXPECT(FP_BUFFER, "rows is 2; the look-ahead has 11", fp_look_ahead(scene, &state, 1, 0.1, path, 2, &written));
     EXPECT(FP_SCENE, "target is missing", fp_aim(scene, "{\"from\": [0,0,0], \"speed\": 20}", 30, path, path + 3, &miss, &count));
     EXPECT(FP_ARGUMENT, "velocity is null", fp_aim(scene, "{}", 2, NULL, path, &miss, &count));
-    EXPECT(FP_ABI, "allowed: (144, 208, 96, 72, 72, 96, 288, 232, 256, 96, 64, 792)", fp_check_structs(144, 208, 96, 72, 72, 96, 288, 232, 0, 96, 64, 792));
+    EXPECT(FP_ABI, "allowed: (144, 208, 96, 72, 72, 96, 288, 232, 256, 96, 64, 792, 272, 104)", fp_check_structs(144, 208, 96, 72, 72, 96, 288, 232, 0, 96, 64, 792, 272, 104));
     if (fp_match_create(players, (int64_t)strlen(players), 2, 0.01, &match) != FP_OK || fp_match_read_bodies(match, 0, 1, &body) != FP_OK || fp_player_default(&player) != FP_OK) return 2;
     hash = fp_match_hash(match);
     EXPECT(FP_SCENE, "bodies is unknown", create(players, &none));

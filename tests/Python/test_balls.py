@@ -77,6 +77,29 @@ class Bits(unittest.TestCase):
             alone.step(1 / 60, 90)
             self.assertEqual(hashes[ball], alone.hashes[0])
 
+    def test_forces_are_those_of_the_next_step(self):
+        board = {"name": "board", "shape": "box", "center": [1, 0.5, 0], "halfSize": [0.1, 0.5, 40]}
+        scene = fp.Scene({"gravity": [2, -9.6, 0], "obstacles": [board]})
+        balls = fp.Balls(scene, 2)
+        balls.place(None, [[0, 1, 0], [0.79, 0.11, 0]], [[2, 6, -24], [0, 0, -9]], [[20, 40, 5], [-80, 0, 0]])
+        flight = balls.forces(0)
+        parts = [getattr(flight, name) for name in fp.Forces._fields[:9]]
+        np.testing.assert_allclose(sum(parts), flight.sum, rtol=1e-12)
+        self.assertEqual(len(flight.contacts), 0)
+        self.assertGreater(flight.drag @ [-2, -6, 24], 0)
+        contacts = set()
+        for _ in range(120):
+            before, seen = balls.hashes, balls.forces(1)
+            np.testing.assert_array_equal(balls.hashes, before)
+            if seen is not None:
+                contacts |= {scene.name_of(int(contact["thing"])) for contact in seen.contacts}
+                np.testing.assert_allclose(seen.contacts["load"].sum(axis=0), seen.load, atol=1e-12)
+            balls.step(1 / 60)
+        self.assertEqual(contacts, {"ground", "board"})
+        for wrong in (lambda: balls.forces(2), lambda: balls.forces(0, 0), lambda: balls.forces(0, np.nan)):
+            with self.assertRaises(ValueError):
+                wrong()
+
     def test_look_ahead_is_the_future(self):
         balls = fp.Balls(fp.Scene(), 2)
         balls.kick(None, [[1, 6, -18], [3, 2, 5]], [0, 30, 0])

@@ -628,6 +628,53 @@ typedef struct {
     double progress;
 } fp_watch;
 
+/** The forces on a ball with which its next step begins, for arrows and overlays. A force that does not act is zero. World frame. */
+typedef struct {
+    /** The weight, N. */
+    double weight[3];
+    /** The buoyancy in the air, N. */
+    double buoyancy[3];
+    /** The drag, against the motion through the air, N. */
+    double drag[3];
+    /** The Magnus force, across spin and motion through the air, N. */
+    double magnus[3];
+    /** The knuckle force of the seams, N; it acts only in flight. */
+    double knuckle[3];
+    /** The sum of the custom forces, N. A scene in JSON has none, so it is zero. */
+    double custom[3];
+    /** The sum of the forces of all nets that the ball is in, N. */
+    double nets[3];
+    /** The sum of the loads of all contacts, along their normals, N. */
+    double load[3];
+    /** The sum of the friction of all contacts, N; it includes rolling resistance, and the force that holds a ball at rest. */
+    double friction[3];
+    /** The sum of all forces, N. */
+    double sum[3];
+    /** The acceleration with which the next step begins, m/s^2; sum divided by the mass, to within rounding. */
+    double acceleration[3];
+    /** 1 if there are forces. 0, and all vectors zero, if the step begins with an impact or solves the contacts by impulses, or if the
+        contacts of a ball at rest do not determine their forces. */
+    int32_t determined;
+    /** 0. */
+    int32_t reserved;
+} fp_forces_result;
+
+/** The forces of one contact on a ball. */
+typedef struct {
+    /** The index of the object in the scene. fp_name writes its name. */
+    int32_t thing;
+    /** 0. */
+    int32_t reserved;
+    /** The contact point, m. */
+    double point[3];
+    /** The unit normal of the surface, towards the ball. */
+    double normal[3];
+    /** The force along the normal, N. */
+    double load[3];
+    /** The force along the surface, N. */
+    double friction[3];
+} fp_contact_force;
+
 /** Checks that the header matches the library. Call it once, as FOOTBALL_CHECK_ABI().
     version: FOOTBALL_ABI_VERSION.
     state_bytes: sizeof(fp_state).
@@ -649,8 +696,10 @@ FOOTBALL_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_
     impact_bytes: sizeof(fp_impact_result).
     filter_bytes: sizeof(fp_filter_settings).
     estimate_bytes: sizeof(fp_estimate).
+    forces_bytes: sizeof(fp_forces_result).
+    contact_bytes: sizeof(fp_contact_force).
     Returns FP_OK, or FP_ABI. */
-FOOTBALL_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes, int32_t impact_bytes, int32_t filter_bytes, int32_t estimate_bytes);
+FOOTBALL_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes, int32_t impact_bytes, int32_t filter_bytes, int32_t estimate_bytes, int32_t forces_bytes, int32_t contact_bytes);
 
 /** Checks that the structures of another language match those of the library: a check without a macro, for generated bindings.
     version: FOOTBALL_ABI_VERSION.
@@ -830,6 +879,19 @@ FOOTBALL_API fp_status fp_fit_match(const fp_scene* scene, const double* times, 
     Returns As fp_fit_match; FP_CANCELLED if watch cancelled the call, and fitted then receives null. */
 FOOTBALL_API fp_status fp_fit_match_watched(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted, fp_watch* watch);
 
+/** Computes the forces with which the next step of a ball begins, for arrows and overlays. Nothing changes. It costs about as much as a
+    step, and allocates.
+    scene: The scene.
+    state: The ball; unchanged. For a ball of a match, use fp_match_state first; bodies and other balls then do not count.
+    dt: The length of the next step, s; above 0, at most 1e12. It matters only for a ball that is about to stop.
+    out: Receives the forces.
+    contacts: Receives the forces of each contact; null to skip them. In flight there are none.
+    capacity: The number of contacts that fit, 0 or more.
+    count: Receives the number of contacts, including those that do not fit; null to skip it.
+    Returns FP_OK; FP_BUFFER if contacts or count is given, and there are more contacts than capacity: the first ones are written.
+    FP_ARGUMENT or FP_HANDLE, with nothing written. */
+FOOTBALL_API fp_status fp_forces(const fp_scene* scene, const fp_state* state, double dt, fp_forces_result* out, fp_contact_force* contacts, int32_t capacity, int32_t* count);
+
 /** Computes the outputs of an impact with a stationary surface: impulses, slip, duration, compression, peak force, energy.
     scene: The scene.
     event: An impact of a ball in this scene.
@@ -867,9 +929,10 @@ FOOTBALL_API fp_status fp_intercept_windows(const fp_scene* scene, const fp_stat
 
 /** Computes the probability that a player's kick scores: by derivatives if they are accurate, otherwise by simulating random kicks.
     scene: The scene. Its solver settings are not used.
-    request_json: An object in UTF-8: position, velocity, spin; spread with speedPercent, elevationDegrees, azimuthDegrees, spinPercent
-      and their correlations; goal, the index of a goal of the scene; keeper, a player; kicks, the number of kicks to simulate, 2 ... 100
-      000 000, 2 to 6 microseconds each; seed; alwaysSimulate. Only position and velocity are required.
+    request_json: An object in UTF-8: position, velocity, spin; orientation, a quaternion x, y, z, w, on which only the knuckle force
+      depends; spread with speedPercent, elevationDegrees, azimuthDegrees, spinPercent and their correlations; goal, the index of a goal of
+      the scene; keeper, a player; kicks, the number of kicks to simulate, 2 ... 100 000 000, 2 to 6 microseconds each; seed;
+      alwaysSimulate. Only position and velocity are required.
     bytes: Its length in bytes; at most 1 048 576.
     out: Receives the result.
     Returns FP_OK; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
@@ -1217,7 +1280,7 @@ FOOTBALL_API fp_status fp_match_verify(fp_match* match, int64_t* tick);
 FOOTBALL_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, const double* orientation, double* force, double* torque);
 
 /** Checks that this header matches the library. Other languages call fp_check_sizes. */
-#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result), (int32_t)sizeof(fp_impact_result), (int32_t)sizeof(fp_filter_settings), (int32_t)sizeof(fp_estimate)))
+#define FOOTBALL_CHECK_ABI() (fp_check_abi(FOOTBALL_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? (fp_status)FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result), (int32_t)sizeof(fp_impact_result), (int32_t)sizeof(fp_filter_settings), (int32_t)sizeof(fp_estimate), (int32_t)sizeof(fp_forces_result), (int32_t)sizeof(fp_contact_force)))
 
 /* The former names of these macros, for one more version. <math.h> also begins names with FP_. */
 #define FP_ABI_VERSION FOOTBALL_ABI_VERSION

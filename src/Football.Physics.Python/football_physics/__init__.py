@@ -9,7 +9,7 @@ The axes are right-handed, with y up and -z forward; units are SI. A :class:`Sce
 array([ True])
 """
 
-from ._balls import AimResult, Balls, Derivatives, EventKind, Motion, event_dtype
+from ._balls import AimResult, Balls, Derivatives, EventKind, Forces, Motion, contact_force_dtype, event_dtype
 from ._filter import BallFilter, estimate_dtype
 from ._match import Match, ball_dtype, body_dtype, match_event_dtype
 from ._native import version as _version
@@ -19,8 +19,8 @@ from ._scene import Scene, impact_dtype
 from ._tracks import Fit, FitVerdict, MatchAnswers, MatchFit, PieceKind, TrackSuspicions, fit, fit_match, piece_dtype
 
 __all__ = [
-    "AimResult", "BallFilter", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "GoalChance", "Interception", "Match", "MatchAnswers", "MatchFit", "Motion", "PieceKind",
-    "Players", "Scene", "TrackSuspicions", "ball_dtype", "body_dtype", "envs", "estimate_dtype", "event_dtype", "fit", "fit_match", "goal_chance", "impact_dtype", "intercept",
+    "AimResult", "BallFilter", "Balls", "ChanceMethod", "Derivatives", "EventKind", "Fit", "FitVerdict", "Forces", "GoalChance", "Interception", "Match", "MatchAnswers", "MatchFit", "Motion", "PieceKind",
+    "Players", "Scene", "TrackSuspicions", "ball_dtype", "body_dtype", "contact_force_dtype", "envs", "estimate_dtype", "event_dtype", "fit", "fit_match", "goal_chance", "impact_dtype", "intercept",
     "intercept_windows", "match_event_dtype", "piece_dtype",
     "track", "window_dtype"]
 __version__ = _version().decode()

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ctypes
 import enum
-from typing import Any, Callable, List, NamedTuple
+from typing import Any, Callable, List, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
+from . import _native, _structs
 from ._scene import Scene
 
 Floats = NDArray[np.float64]
@@ -21,8 +21,13 @@ event_dtype = np.dtype(
     + [("ball", "i8")])
 """The type of an event: the members of fp_event, and the index of the ball."""
 
+contact_force_dtype = _structs.CONTACT_FORCE
+"""The type of the forces of one contact: thing, the index of the object; point, m; normal; load and friction, N."""
+
 _NATIVE_EVENT = np.dtype(event_dtype.descr[:-1])
 _DERIVATIVES = 9 * 4 + 3 * 2
+
+_MOST_CONTACTS = 32
 
 # The number of steps of a ball between two chances for Ctrl-C: about 20 ms.
 _MOST_STEPS = 200_000
@@ -77,6 +82,25 @@ class Derivatives(NamedTuple):
     time_by_velocity: Floats
     time_by_spin: Floats
     ended: NDArray[np.bool_]
+
+
+class Forces(NamedTuple):
+    """The forces on a ball with which its next step begins, N, each (3,), world frame. A force that does not act is zero."""
+
+    weight: Floats
+    buoyancy: Floats
+    drag: Floats
+    magnus: Floats
+    knuckle: Floats
+    custom: Floats
+    nets: Floats
+    load: Floats
+    friction: Floats
+    sum: Floats
+    #: The acceleration with which the step begins, m/s^2.
+    acceleration: Floats
+    #: The forces of each contact: an array of :data:`contact_force_dtype`, empty in flight.
+    contacts: NDArray[Any]
 
 
 def _rows(values: ArrayLike, n: int, name: str) -> Floats:
@@ -168,6 +192,17 @@ class Balls:
                 told.append(events)
         self._read()
         return np.concatenate(told) if told else np.zeros(0, event_dtype)
+
+    def forces(self, ball: int = 0, dt: float = 1 / 60) -> Optional[Forces]:
+        """Computes the forces with which the next step of a ball begins, for arrows and overlays. The ball does not move.
+
+        It returns None if the step begins with an impact or solves the contacts by impulses, or if the contacts of a ball at rest do not determine their forces.
+        dt: the length of the next step, s. It matters only for a ball that is about to stop.
+        """
+        outputs, contacts, count = np.zeros(1, _structs.FORCES), np.zeros(_MOST_CONTACTS, contact_force_dtype), ctypes.c_int32()
+        at = self._state_at(_native.whole(ball, "ball"))
+        _native.check(_native.forces(self._handle, at, dt, outputs.ctypes.data, contacts.ctypes.data, len(contacts), ctypes.byref(count)))
+        return Forces(*(outputs[0][name] for name in Forces._fields[:-1]), contacts[: count.value]) if outputs["determined"][0] else None
 
     def until_landing(self, dt: float = 1 / 60, seconds: float = 20.0) -> NDArray[np.bool_]:
         """Runs each ball to just after its next impact, for at most the given seconds. Returns True for each ball that had an impact."""

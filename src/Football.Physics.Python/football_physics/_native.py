@@ -51,9 +51,10 @@ aim = _function("fp_aim", _P, ctypes.c_char_p, _L, _P, _P, _P, _P)
 derivatives_run = _function("fp_derivatives_run", _P, _P, _D, _D, _I, _P, _P)
 air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P, _P)
 impact = _function("fp_impact", _P, _P, _P)
+forces = _function("fp_forces", _P, _P, _D, _P, _P, _I, _P)
 snapshot_write = _function("fp_snapshot_write", _P, _P)
 snapshot_read = _function("fp_snapshot_read", _P, _P)
-check_structs = _function("fp_check_structs", *[_I] * 12)
+check_structs = _function("fp_check_structs", *[_I] * 14)
 match_create = _function("fp_match_create", ctypes.c_char_p, _L, _I, _D, _P)
 match_free = _function("fp_match_free", _P)
 match_name = _function("fp_match_name", _P, _I, _P, _I)
@@ -123,6 +124,6 @@ def check(status: int) -> None:
 
 
 _SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH, _structs.IMPACT,
-          _structs.FILTER_SETTINGS, _structs.ESTIMATE]
+          _structs.FILTER_SETTINGS, _structs.ESTIMATE, _structs.FORCES, _structs.CONTACT_FORCE]
 if check_abi(ABI_VERSION, STATE_BYTES, BALL_BYTES, EVENT_BYTES) or check_structs(*(struct.itemsize for struct in _SIZES)):
     raise ImportError("football_physics: the package and its library do not belong together: " + last_error().decode())

@@ -66,3 +66,6 @@ FILTER_SETTINGS = _struct(*_numbers("noise", "pixel_noise", "kick_velocity", "ki
 ESTIMATE = _struct(
     *_numbers("time"), *_vectors("position", "velocity", "spin", "deviations"), ("covariance", "f8", 81), *_numbers("kick_time", "kick_deviation", "kick_probability"),
     *_integers("motion", "has_kick", "is_outlier", "is_held"))
+FORCES = _struct(
+    *_vectors("weight", "buoyancy", "drag", "magnus", "knuckle", "custom", "nets", "load", "friction", "sum", "acceleration"), *_integers("determined"), _RESERVED)
+CONTACT_FORCE = _struct(*_integers("thing"), _RESERVED, *_vectors("point", "normal", "load", "friction"))
