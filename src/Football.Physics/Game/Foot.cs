@@ -54,6 +54,7 @@ public sealed class Foot
         Vector3d n = Direction(normal);
         ImpactLaw.Apply(ball, Material, in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter, ball.Mass / Mass);
 
+        // U is the foot's velocity before the strike, J the impulse on the ball, and M the foot's mass.
         // The foot's velocity after the strike: U' = U − J/M.
         return new FootStrike(
             in footVelocity,
@@ -137,6 +138,7 @@ public sealed class Foot
         Vector3d across = turn - (lost * direction);
         double rate = across.Length;
 
+        // ψ is the angle between the normal n and the impulse J, Δω⊥ the change of spin across the impulse, and μ the friction.
         // sin ψ = I |Δω⊥|/(r |J|), limited by friction to tan ψ = μ;  n = cos ψ Ĵ + sin ψ (Δω⊥/|Δω⊥| × Ĵ)
         double sine = ball.MomentOfInertia * rate / (r * size);
         double most = Friction / Math.Sqrt(1.0 + (Friction * Friction));
@@ -146,6 +148,7 @@ public sealed class Foot
         Vector3d lever = rate > 0 ? Vector3d.Cross(across / rate, in direction) : Vector3d.Zero;
         Vector3d n = (cosine * direction) + (sine * lever);
 
+        // U is the foot's velocity; n and t mark parts along and across the normal: m_n and m_t are effective masses, e and e_t restitutions.
         // U·n = v·n + J_n/(m_n (1 + e)),  U_t = v_t + r n × ω + (J − J_n n)/(m_t (1 + e_t))
         double pressed = cosine * size;
         Vector3d rubbed = impulse - (pressed * n);

@@ -23,6 +23,7 @@ internal readonly struct ExplicitEuler : IIntegrator
     public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
+        // y is the state, f its rate, and h the step.
         // y' = y + h f(y); the velocity at the start advances the position.
         Vector3d velocity = motion.Velocity - wind;
         double spinRate = motion.SpinRate;

@@ -34,6 +34,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
         double half = 0.5 * h;
 
+        // y is the state, f its rate, h the step, and k1 and k2 are the rates of the stages.
         // k1 = f(y)
         FlightRates.At(
             ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);

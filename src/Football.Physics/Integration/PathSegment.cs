@@ -168,6 +168,7 @@ public struct PathSegment
             return StartPosition;
         }
 
+        // p₀, v₀ and a₀ are position, velocity and acceleration at the start; c₂ … c₅ are the coefficients of Bend.
         // p₀ + v₀ t + s² (c₂ + s c₃) or p₀ + v₀ t + a₀ t²/2 + s³ (c₃ + s (c₄ + s c₅)), s = t / length
         double s = t / Length;
         if (_degree == 5)

@@ -33,6 +33,7 @@ internal struct AirFactors
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly MotionRates Rates(in Vector3d spin, in Vector3d constant, bool varies)
     {
+        // u is the velocity through the air; L and D are the factors of lift and drag, and g is the constant acceleration.
         // a = L (ω × u) − D u + g,  ω̇ = −decay ω
         Vector3d acceleration = (Lift * Vector3d.Cross(in spin, in AirVelocity)) - (Drag * AirVelocity) + constant;
         Vector3d spinAcceleration = -Decay * spin;

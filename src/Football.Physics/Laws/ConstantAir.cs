@@ -38,6 +38,7 @@ internal struct ConstantAir : IFlightAir
 
     public readonly double WholeUpTo(in RateBound bound) => 0;
 
+    // u is the velocity through the air; k_D, k_L and k are the constants of drag, lift and decay.
     // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Factors(

@@ -72,6 +72,7 @@ internal static class FlightRates
         double squared = (ux * ux) + (uy * uy) + (uz * uz);
         air.Factors(squared, spin, (cx * cx) + (cy * cy) + (cz * cz), branch, out double drag, out double lift, out double decay, out double share);
 
+        // u is the velocity through the air; L and D are the factors of lift and drag, and g is the upward acceleration.
         // a = L (ω̂ × u) − D u + g ŷ
         ax = (lift * cx) - (drag * ux);
         ay = ((lift * cy) - (drag * uy)) + upward;

@@ -171,6 +171,7 @@ internal unsafe struct SceneAir : IFlightAir
     /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
     public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors, ForceTrace* trace)
     {
+        // v is the ball's velocity, and W the wind at its position p and time t.
         // u = v − W(p, t)
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
         Vector3d w = ball.Spin;

@@ -20,6 +20,7 @@ internal static class Broyden
             error -= dx[k] == 0 ? 0 : j[row + k] * dx[k];
         }
 
+        // J is the Jacobian, Δx the step, Δr the change of the residuals, and W the weights.
         // J += (Δr − J Δx) (W Δx)ᵀ/(Δxᵀ W Δx), row by row.
         for (int k = 0; k < count && squared > 0; k++)
         {

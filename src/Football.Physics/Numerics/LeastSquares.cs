@@ -287,6 +287,7 @@ internal sealed class LeastSquares
                 _system[row + b] = a == b && _held[a] ? 1 : _held[a] || _held[b] ? 0 : Product(a, b);
             }
 
+            // J is the Jacobian, r the residuals, λ the damping, and Δx the step.
             // (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr: each unknown is damped on its own scale.
             double sum = 0;
             for (int i = 0; i < _problem.Equations && !_held[a]; i++)

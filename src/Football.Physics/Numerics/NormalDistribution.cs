@@ -73,6 +73,7 @@ internal static class NormalDistribution
             return 0;
         }
 
+        // μ_y and σ_y are mean and standard deviation of y, and ρ is the correlation; x is in standard deviations from its mean.
         // For a given x, y is normal with mean μ_y + ρ σ_y x and standard deviation σ_y √(1 − ρ²).
         double rest = Math.Max(1e-12, deviationY * Math.Sqrt(Math.Max(0, 1.0 - (correlation * correlation))));
         double width = (high - low) / Intervals;

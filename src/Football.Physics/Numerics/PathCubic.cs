@@ -90,6 +90,7 @@ internal readonly struct PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c
         double perLength = 1.0 / h;
         double perSquared = perLength * perLength;
 
+        // p₀ and v₀ are position and velocity at the start, p₁ and v₁ those at the end, after the time h.
         // p₀ + v₀ t + (p₁ − p₀ − v₀ h) t²/h²
         if (isQuadratic)
         {

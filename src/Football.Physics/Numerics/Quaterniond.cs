@@ -103,6 +103,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     {
         double z = 0.25 * rotation.LengthSquared;
 
+        // θ is the angle of the rotation.
         // z = (θ/2)². Above θ/2 = 2, the series would be too long: use sine and cosine.
         if (!(z <= 4.0))
         {
@@ -177,6 +178,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     /// <param name="v">The vector.</param>
     public Vector3d Rotate(in Vector3d v)
     {
+        // q is the vector part, and w the scalar part.
         // v' = v + 2 w (q × v) + 2 q × (q × v)
         var q = new Vector3d(X, Y, Z);
         Vector3d t = 2.0 * Vector3d.Cross(q, v);
@@ -267,6 +269,7 @@ internal static class RotationVector
         Vector3d a2 = h * (end - start);
         Vector3d a3 = (2.0 * h) * ((start - middle) + (end - middle));
 
+        // Ω is the rotation vector of the step, and [a, b] = a × b.
         // Ω = α₁ + α₃/12 + [−20 α₁ − α₃ + C₁, α₂ + C₂]/240,  C₁ = [α₁, α₂],  C₂ = −[α₁, 2 α₃ + C₁]/60
         Vector3d c1 = Vector3d.Cross(in a1, in a2);
         Vector3d c2 = (-1.0 / 60.0) * Vector3d.Cross(in a1, (2.0 * a3) + c1);

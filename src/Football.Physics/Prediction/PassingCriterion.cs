@@ -100,6 +100,7 @@ internal sealed class PassingCriterion
     /// <summary>Returns the flight time, in s, up to the first impact or including all hops, each of which is lower by the restitution.</summary>
     private double TimeInAir(double height, double climb, double gravity)
     {
+        // v is the speed of the first impact, c the climb, h the height, g gravity, e the restitution, and n counts the hops.
         // v² = c² + 2 g h; the hops, of duration 2 v eⁿ/g each, add up to 2 v e/((1 − e) g).
         double impact = Math.Sqrt((climb * climb) + (2.0 * gravity * Math.Max(0, height)));
         double e = _untilImpact ? 0 : Math.Min(_restitution, MostElastic);

@@ -66,6 +66,7 @@ public sealed record Dials
 
     private BallProperties Apply(BallProperties ball)
     {
+        // V is the volume, p the pressure, R the gas constant, and T the temperature.
         // The change in the mass of the air inside the ball: Δm = Δp V/(R T).
         double volume = 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius;
         double air = (Pressure - UsualPressure) * Bar * volume / GasEnergy;

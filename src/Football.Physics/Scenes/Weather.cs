@@ -30,6 +30,7 @@ public sealed record Weather
     {
         Check.Within("air.weather.altitude", altitude, -500, 11_000);
 
+        // z is the altitude in m, and p₀ the pressure at sea level.
         // p = p₀ (1 − 0.0065 z/288.15)^5.255880
         double pressure = SeaLevelPressure * Elementary.Pow(1.0 - (0.0065 * altitude / 288.15), 5.255880);
         return new Weather { Temperature = temperature, Humidity = humidity, Pressure = pressure };
@@ -44,14 +45,17 @@ public sealed record Weather
         Check.Within("air.weather.humidity", Humidity, 0, 1);
         Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);
 
+        // h is the relative humidity, t the temperature in °C, and p the pressure.
         // e_w = min(h · 611.2 exp(17.62 t/(243.12 + t)), p), the vapour pressure (Magnus formula).
         double saturated = 611.2 * Elementary.Exp(17.62 * Temperature / (243.12 + Temperature));
         double vapour = Math.Min(Humidity * saturated, Pressure);
 
+        // R is the gas constant of dry air, and T the temperature in K.
         // ρ = (p − e_w)/(R T) + e_w/(461.495 T)
         double kelvin = Temperature + 273.15;
         double density = ((Pressure - vapour) / (DryGas * kelvin)) + (vapour / (461.495 * kelvin));
 
+        // μ is the dynamic viscosity, and ν the kinematic one.
         // μ = 1.458e-6 T^1.5/(T + 110.4) (Sutherland), ν = μ/ρ
         double viscosity = 1.458e-6 * kelvin * Math.Sqrt(kelvin) / (kelvin + 110.4);
         return new Air { Density = density, KinematicViscosity = viscosity / density };

@@ -61,6 +61,7 @@ public static class KickVectors
     {
         Elementary.SinCos(azimuth, out double sin, out double cos);
 
+        // f is the forward direction, and φ the azimuth.
         // d = f cos φ + (ŷ × f) sin φ
         return new Vector3d((forward.X * cos) + (forward.Z * sin), 0, (forward.Z * cos) - (forward.X * sin));
     }
@@ -71,6 +72,7 @@ public static class KickVectors
     {
         Elementary.SinCos(elevation, out double sin, out double cos);
 
+        // v is the speed, ε the elevation, and d the flat direction.
         // v (cos ε d + sin ε ŷ), ω = top (ŷ × d) + side ŷ
         velocity = Limited(new Vector3d(speed * cos * flat.X, speed * sin, speed * cos * flat.Z), Limits.Speed);
         spin = Limited(Spin(top, side, in flat), Limits.Spin);

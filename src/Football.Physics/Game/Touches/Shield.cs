@@ -151,6 +151,7 @@ public sealed class ShieldResult
             return straight;
         }
 
+        // τ is the angle at the centre between a position, at the distance d, and its tangent point; r is the radius.
         // The arc is the angle between both positions minus the tangent angles: cos τ = r/d.
         double firstTangent = Math.Sqrt((first * first) - (radius * radius));
         double secondTangent = Math.Sqrt((second * second) - (radius * radius));

@@ -37,6 +37,7 @@ internal struct ConstantParts
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Replace(double speed, double spinRate, ref double drag, ref double lift, ref double decay)
     {
+        // u is the velocity through the air; k_D, k_L and k are the constants of drag, lift and decay.
         // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
         drag = _drags ? _drag * speed : drag;
         lift = _lifts ? _lift * (spinRate > 0 ? spinRate : 0) : lift;

@@ -6,6 +6,7 @@ internal struct EmpiricalDrag : IAirLaw
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
 
+    // C_D0 is the coefficient at rest, Sp = r|ω|/|u| the spin parameter, c and d are the constants of FittedDrag.
     // C_D |u| ≤ C_D0 |u| + c Sp^d |u|, and Sp^d |u| = (r|ω|)^d |u|^(1−d) ≤ d r|ω| + (1−d)|u|
     public readonly RateBound Bound => new(
         _k * (FittedDrag.AtRest + (FittedDrag.C * (1 - FittedDrag.D))),

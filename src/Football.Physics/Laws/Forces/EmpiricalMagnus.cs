@@ -19,6 +19,7 @@ internal struct EmpiricalMagnus : IAirLaw
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
 
+    // C_L is the lift coefficient, Sp the spin parameter, C_D0 the drag coefficient at rest, and a the constant of FittedDrag.
     // C_L |u| ≤ 1.15 Sp^β |u| = 1.15 (r|ω|)^β |u|^(1−β) ≤ 1.15 (β r|ω| + (1−β)|u|); the quotient of the deficit is at most C_D0/(C_D0 − a).
     public readonly RateBound Bound => new(
         _k * Scale * FittedDrag.AtRest * (1 - Beta),

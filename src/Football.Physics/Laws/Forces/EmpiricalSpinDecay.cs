@@ -46,6 +46,7 @@ internal struct EmpiricalSpinDecay : IAirLaw
             * Elementary.Pow(2.0 * r / scene.Air.KinematicViscosity, -(double)ReynoldsExponent) / scene.Ball.MomentOfInertia;
     }
 
+    // T_D is the torque of the air. U₊ and U₋ are the speeds of the two sides of the ball, C₊ and C₋ their friction coefficients, ν is the viscosity.
     // T_D = (r/2) ρ π r² (U₊² C₊ + U₋² C₋), U± = abs(|u| ± r|ω|/2), C± = 0.0074 (U± 2r/ν)^(−0.2), so U² C ∝ U^1.8
     public readonly double Factor(in AirFlow flow)
     {

@@ -59,6 +59,7 @@ internal sealed class KnuckleForce
             sum += 0.5 * w * w;
         }
 
+        // c scales the weights w of the four waves of f₁ and f₂.
         // c = 1/√(Σ w²/2), so that the standard deviation of f is 1.
         double scale = 1.0 / Math.Sqrt(sum);
         var amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
@@ -165,6 +166,7 @@ internal sealed class KnuckleForce
         double f1 = wake * speed * _first.At(flown);
         double f2 = wake * _second.At(flown);
 
+        // U is the airspeed, q the share of the flow below the drag crisis; the constants above define C_K, g₀ and S_K.
         // ½ ρ π r² U C_K/m (1 − (1 − g₀) q)/(1 + (S/S_K)²),  S² = r² |ω × u|²/U⁴
         double left = 1.0 - ((1.0 - Subcritical) * share);
         double fading = 1.0 + (_surface * crossSquared * (perSquared * perSquared));

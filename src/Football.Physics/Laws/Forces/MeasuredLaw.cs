@@ -96,9 +96,11 @@ internal struct MeasuredLaw : ITableLaw
         double scale = _ofDrag * speed;
         drag = (scale * bySpeed.First) + (scale * bySpeed.Second * bySpin.First);
 
+        // C_L is the lift coefficient, S the spin parameter, and sin that of the angle between ω and u.
         // L = ½ρA/m |u|² C_L/(|u| sin) = ½ρA/m r|ω| C_L/S, for S|u| = r|ω| sin and |ω̂ × u| = |u| sin
         lift = _ofLift * spinRate * bySpeed.Third * bySpin.Second;
 
+        // k is the decay per metre of air, and ε the decay per second in air of 1.2 kg/m³.
         // |ω|˙ = −(k |u| + ε ρ/1.2) |ω|
         decay = _decay.PerSpin(speed) * spinRate;
     }

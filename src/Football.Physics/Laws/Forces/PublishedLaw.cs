@@ -68,6 +68,7 @@ internal struct PublishedLaw : ITableLaw
             deficit = _atRest - coefficient;
         }
 
+        // S is the spin parameter, C_D0 the drag coefficient at rest, a the constant of FittedDrag, and β that of EmpiricalMagnus.
         // D = ½ρA/m |u| C_D,  L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a)
         drag = _ofDrag * speed * coefficient;
         lift = deficit > 0 ? _ofLift * speed * bySpin.Second * deficit : 0;

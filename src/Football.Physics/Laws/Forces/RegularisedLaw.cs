@@ -57,6 +57,7 @@ internal struct RegularisedLaw : ITableLaw
     public readonly void Combine(
         DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
+        // w is the weight of the law with spin, S the spin parameter, c and d are the constants of FittedDrag.
         // D = ½ρA/m |u| C_D,  C_D = C_D,no spin + w c S^d − w C_D,no spin
         double scale = _k * speed;
         double withoutSpin = scale * bySpeed.First;
@@ -64,6 +65,7 @@ internal struct RegularisedLaw : ITableLaw
         double lost = withoutSpin * bySpeed.Second * bySpin.First;
         drag = _ofDrag * ((withoutSpin + gained) - lost);
 
+        // C_D0 is the drag coefficient at rest, a the constant of FittedDrag, and β that of EmpiricalMagnus.
         // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); compute the deficit without waiting for D.
         double deficit = (((scale * _atRest) - withoutSpin) - gained) + lost;
         lift = deficit > 0 ? _ofLift * bySpin.Third * deficit : 0;

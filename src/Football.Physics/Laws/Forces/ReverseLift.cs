@@ -46,6 +46,7 @@ internal struct ReverseLift
     /// <param name="acrossSquared">|ω̂ × u|², m²/s².</param>
     public readonly double Factor(double speed, double spinRate, double acrossSquared)
     {
+        // Re is the Reynolds number, Re_c and Re_s are the position and width of the crisis, Λ is the reverse lift, σ the logistic function, b = (Re − Re_c)/Re_s.
         // a = S Re/Re_s with S = r|ω × u|/|u|². L = ½ρA/m r|ω| C_L/S, and C_L/S = −Λ Re/Re_s (σ(b − a) − σ(b + a))/a.
         double reynolds = _perSpeed * speed;
         double a = _radius * spinRate * Math.Sqrt(acrossSquared) / (speed * speed) * reynolds;

@@ -43,6 +43,7 @@ internal sealed class SeamField
             a[k] = (2.0 * SplitMix64.At(seed, counter + 2)) - 1.0;
         }
 
+        // n_j are the axes, a_j their amplitudes, and P₂ and P₄ the Legendre polynomials.
         // V₂ = 6/5 Σ a_j a_k P₂(n_j·n_k),  V₄ = 20/9 Σ a_j a_k P₄(n_j·n_k): the mean squares of both degrees
         double second = 0;
         double fourth = 0;
@@ -100,6 +101,7 @@ internal sealed class SeamField
         var z = Quad.Of(uz);
         var scale = Quad.Of(perSquared);
 
+        // t is the cosine between the flow and an axis, p and h are the coefficients of low and high degree.
         // U t, its square, and p + h t²
         Quad low = (axes.LowX * x) + (axes.LowY * y) + (axes.LowZ * z);
         Quad high = (axes.HighX * x) + (axes.HighY * y) + (axes.HighZ * z);

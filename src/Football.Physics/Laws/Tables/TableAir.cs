@@ -106,6 +106,7 @@ internal struct TableAir<TLaw> : IFlightAir
         double ofSpin;
         if (_law.NeedsSpinAcross)
         {
+            // S is the spin parameter, u the velocity through the air, r the radius.
             // S² = (r|ω|)² |ω̂ × u|²/|u|⁴
             double perSpeedSquared = 1.0 / speedSquared;
             ofSpin = ((surfaceSquared * acrossSquared) + (NoSpin * speedSquared)) * (perSpeedSquared * perSpeedSquared);
@@ -272,6 +273,7 @@ internal readonly struct TableRange
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Holds(double speedSquared, double spinRate, double surfaceSquared, double h)
     {
+        // g is gravity: within h, it changes |u| by at most h g, and drag leaves at least 0.74 |u|.
         // The spin parameter starts below 20 and stays below 32: (0.74 |u| − h g)² ≥ 0.41 |u|² − 3 (h g)², and 400/0.41 and 3072/3 are at most 32².
         const double Largest = LargestSpinParameter * LargestSpinParameter;
         double fall = h * _gravity;

@@ -35,6 +35,7 @@ internal readonly struct CubicHermite
 
     private static double LowestOf(double c1, double c2, double c3)
     {
+        // c₁, c₂ and c₃ are the coefficients of the cubic, and s is the position in 0 … 1.
         // The root of c₁ + 2 c₂ s + 3 c₃ s² at which the slope changes from negative to positive.
         double discriminant = (c2 * c2) - (3.0 * c1 * c3);
         if (discriminant <= 0)
@@ -42,6 +43,7 @@ internal readonly struct CubicHermite
             return 1.0;
         }
 
+        // D = c₂² − 3 c₁ c₃ is the discriminant.
         // (−c₂ + √D)/(3 c₃), multiplied by c₂ + √D above and below to avoid cancellation.
         double s = -c1 / (c2 + Math.Sqrt(discriminant));
         return s > 0 && s < 1 ? s : 1.0;

@@ -25,6 +25,7 @@ internal readonly struct RunnerMotion
         _rampTime = runner.Speed / runner.Acceleration;
         Start = now + runner.Reaction;
 
+        // c is the centre of his circle, p₀ and v₀ are his position and velocity now, and τ is his reaction.
         // c = p₀ + v₀ τ
         _x = runner.Position.X + (runner.Reaction * _velocityX);
         _z = runner.Position.Z + (runner.Reaction * _velocityZ);
@@ -74,6 +75,7 @@ internal readonly struct RunnerMotion
     /// <summary>Returns the radius of his circle, D + ρ, in m.</summary>
     public double RadiusAt(double time)
     {
+        // s is the time since his reaction, a his acceleration, and v his speed.
         // The distance D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a).
         double s = time - Start;
         return Reach + (s <= 0 ? 0 : s <= _rampTime ? 0.5 * _acceleration * s * s : _speed * (s - (0.5 * _rampTime)));
@@ -88,6 +90,7 @@ internal readonly struct RunnerMotion
     /// <summary>Returns the first time at which his circle reaches a distance from its centre, in s; the inverse of <see cref="RadiusAt"/>.</summary>
     public double ArrivalAt(double distance)
     {
+        // d is the distance that he runs, a his acceleration, and v his speed.
         // The time s = √(2 d/a) up to d = ½ v²/a, then d/v + v/2a.
         double run = distance - Reach;
         return run <= 0 ? Start

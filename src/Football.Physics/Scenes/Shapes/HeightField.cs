@@ -199,6 +199,7 @@ public sealed class HeightField : IShape, IExactHollow
             return new ShapePoint(above / Math.Sqrt(1.0 + (Steepest.Value * Steepest.Value)), in up, SymmetricMatrix3d.Zero);
         }
 
+        // S is the point of the surface, S_x and S_z are its derivatives, and p is the given point.
         // Apply Newton's method to find the nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0.
         for (int i = 0; i < MostIterations; i++)
         {
@@ -392,6 +393,7 @@ public sealed class HeightField : IShape, IExactHollow
             double m = per * XZ;
             double n = per * ZZ;
 
+            // I and II are the fundamental forms, and d is the distance from the surface.
             // A = I⁻¹ II, B = (I − d II)⁻¹
             double axx = ((g * l) - (f * m)) / area;
             double axz = ((g * m) - (f * n)) / area;
@@ -405,6 +407,7 @@ public sealed class HeightField : IShape, IExactHollow
             double cxz = -((axz * bxx) - (axx * bxz)) / determinant;
             double czz = -((azz * bxx) - (azx * bxz)) / determinant;
 
+            // h_x and h_z are the slopes.
             // J = ((1, h_x, 0), (0, h_z, 1))
             double yx = (cxx * SlopeX) + (cxz * SlopeZ);
             double yz = (cxz * SlopeX) + (czz * SlopeZ);

@@ -55,6 +55,7 @@ internal static class SplineNodes
         /// <param name="stride">The distance of two of them in the array.</param>
         public void Solve(int count, double[] values, int first, int stride)
         {
+            // h are the heights, and c the control values.
             // At both ends the second derivative is zero, so c[0] = h[0]. In between: c[i−1] + 4 c[i] + c[i+1] = 6 h[i], with c[i−1] = left − pivot c[i].
             _left[0] = Heights[0];
             _pivots[0] = 0;

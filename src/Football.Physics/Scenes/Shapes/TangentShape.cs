@@ -30,6 +30,7 @@ internal sealed class TangentShape : IShape, IExactHollow
             return new ShapePoint(above, in _normal, SymmetricMatrix3d.Zero);
         }
 
+        // d is the distance of the point p, n the normal, and κ the curvature.
         // d = |p + n/κ| − 1/κ = (2 p·n + κ p²)/(1 + √(1 + κ (2 p·n + κ p²))), without cancellation for small κ.
         double inner = (2.0 * above) + (_curvature * point.LengthSquared);
         double ratio = Math.Sqrt(Math.Max(0, 1.0 + (_curvature * inner)));

@@ -30,6 +30,7 @@ internal sealed class GustWaves
         double sumAcross = 0;
         for (int i = 0; i < Bands; i++)
         {
+            // lo is the lower end of the band and q the ratio of its ends, R(i) the random number i in 0 … 1, L the length of the gusts, k the wave number.
             // x = √(lo · lo q) (1 + 0.3 (R(100 + i) − ½)(q − 1)),  k = x/L
             double high = low * q;
             double x = Math.Sqrt(low * high) * (1.0 + (0.3 * (SplitMix64.At(gusts.Seed, 100 + i) - 0.5) * (q - 1.0)));
@@ -54,6 +55,7 @@ internal sealed class GustWaves
             double largest = 0;
             for (int i = 0; i < Bands; i++)
             {
+                // a is the amplitude, φ the phase, ξ the distance along the wind, c the component, and R(i) the random number i.
                 // a sin(k ξ + φ) = a cos φ sin(k ξ) + a sin φ cos(k ξ),  φ = 2π R(1000 (c + 1) + i)
                 double amplitude = deviation * ShareOfComponent[component] * Math.Sqrt(2.0 * shares[i] / sum);
                 Elementary.SinCos(2.0 * Math.PI * SplitMix64.At(gusts.Seed, (1000 * (component + 1)) + i), out double sin, out double cos);

@@ -107,6 +107,7 @@ public sealed class WindByHeight : IWind
         return _gusts is null ? new Vector3d(mean * _alongX, 0, mean * _alongZ) : WithGusts(_gusts, ((x * _alongX) + (z * _alongZ)) - (Speed * time), height, mean);
     }
 
+    // d and d⊥ are the directions along and across the wind, g₀, g₁ and g₂ the gusts, u the mean wind at height y, and u_ref that at the reference height.
     // ξ = (distance along the wind) − u_ref t,  W = d (u + f g₀) + d⊥ f g₁ + ŷ f₂ g₂,  f = u(y)/u_ref,  f₂ = f min(1, y/2)
     private Vector3d WithGusts(GustWaves gusts, double distance, double height, double mean)
     {
