@@ -126,7 +126,7 @@ public enum AimStatus
 
     /// <summary>The search found no kick that hits, but nothing excludes one; the result is the closest kick found.</summary>
     /// <remarks>
-    /// Most such targets are beyond the reach, in wind, on a slope or by little. The search may also have reached
+    /// Most targets with this status are out of reach: in wind, on a slope, or only slightly. The search may also have reached
     /// <see cref="AimRequest.MaximumIterations"/>.
     /// </remarks>
     NotConverged = 2,

@@ -13,7 +13,7 @@ public sealed record Pitch
     public double Width { get; init; } = 68;
 
     /// <summary>The size, material and nets of both goals. Default: those of <see cref="Goal"/>, 7.32 m × 2.44 m.</summary>
-    /// <remarks>The pitch sets their position and direction.</remarks>
+    /// <remarks>The pitch sets position and direction of its goals.</remarks>
     public Goal Goal { get; init; } = new() { Center = Vector3d.Zero, Facing = new Vector3d(0, 0, 1) };
 
     /// <summary>The height of the boards around the pitch, in m. Default 0: no boards.</summary>

@@ -61,7 +61,7 @@ public sealed partial class Simulator
 
     /// <summary>The values of the scene that the simulator has replaced, a sentence for each; empty if there are none.</summary>
     /// <remarks>
-    /// A shape of your own whose <see cref="IShape.MaximumConcaveCurvature"/> is too small gets the value that samples of its normals show. Each sentence names
+    /// The only such value is <see cref="IShape.MaximumConcaveCurvature"/> of a custom shape, if samples of its normals show a larger one. Each sentence names
     /// the field, your value and the value used.
     /// </remarks>
     public IReadOnlyList<string> Warnings => HollowSamples.Warnings(Scene);

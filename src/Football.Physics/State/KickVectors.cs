@@ -67,7 +67,7 @@ public static class KickVectors
     }
 
     /// <summary>Computes the velocity and spin of a kick along a horizontal unit vector.</summary>
-    /// <remarks>Rounding never lifts them above their limits, so a launch accepts them.</remarks>
+    /// <remarks>Rounding never lifts speed or spin above the limits, so a launch accepts both.</remarks>
     internal static void FromAngles(double speed, double elevation, in Vector3d flat, double top, double side, out Vector3d velocity, out Vector3d spin)
     {
         Elementary.SinCos(elevation, out double sin, out double cos);

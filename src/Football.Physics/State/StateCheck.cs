@@ -6,7 +6,7 @@ namespace FootballPhysics.State;
 internal static class StateCheck
 {
     /// <summary>Bounds that no ball launched within <see cref="Limits"/> can exceed, in m; speed, spin and time follow in m/s, rad/s and s.</summary>
-    /// <remarks>They allow for a fall without drag and for the roll of the smallest ball. Within them, every step gives finite numbers.</remarks>
+    /// <remarks>The bounds allow for a fall without drag and for the roll of the smallest ball. Within the bounds, every step gives finite numbers.</remarks>
     private const double Farthest = 1e45;
 
     /// <summary>The largest speed, in m/s; in a scene, of the speed that the ball would have if it gave its spin to its motion.</summary>

@@ -17,7 +17,7 @@ public sealed record DribbleRequest
     /// <summary>The time after the touch at which he plans to reach the ball, in s. 0.05 … 5; default 0.5.</summary>
     public double Duration { get; init; } = 0.5;
 
-    /// <summary>The distance of the ball ahead of him at that time, in m. 0 … 10; default 0.6.</summary>
+    /// <summary>The distance by which the ball is ahead of the player after <see cref="Duration"/>, in m. 0 … 10; default 0.6.</summary>
     public double Lead { get; init; } = 0.6;
 
     /// <summary>The tolerance of the ball's position, in m; above 0. Default 0.1.</summary>
