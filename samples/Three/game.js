@@ -1,9 +1,6 @@
 // The game without its picture: a free kick over players who jump. The page, the golden hash and the C# test play the same game.
 export const TIME_STEP = 1 / 120;
 
-/** The kinematic viscosity of the air of a scene without "air", in m²/s. */
-const VISCOSITY = 1.5e-5;
-
 const WALL_DISTANCE = 9.15, STANDING = 0.9;
 
 /** Places the players, who jump when the ball is kicked: 0.45 m high, 0.6 s long. Returns their positions. */
@@ -52,7 +49,7 @@ export class Game {
   // Returns the numbers of an overlay: speed, spin, Reynolds number, motion and the last event.
   numbers() {
     const { velocity, spin, motion } = this.ball, speed = Math.hypot(...velocity);
-    const reynolds = speed * 2 * this.scene.radius / VISCOSITY;
+    const reynolds = speed * 2 * this.scene.radius / this.scene.kinematicViscosity;
     return `${speed.toFixed(1)} m/s, ${Math.hypot(...spin).toFixed(0)} rad/s, Re ${(reynolds / 1e5).toFixed(2)}e5, ${motion}, ${this.last}`;
   }
 

@@ -55,11 +55,12 @@ internal sealed class WebScene
         }
     }
 
-    /// <summary>Returns the radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
+    /// <summary>Returns the radius of the ball, the viscosity of the air, the hash of the scene and its shapes, as JSON.</summary>
     public string Describe() => Json.Text(json =>
     {
         Scene scene = Simulator.Scene;
         json.WriteNumber("radius", scene.Ball.Radius);
+        json.WriteNumber("kinematicViscosity", scene.Air.KinematicViscosity);
         json.WriteString("hash", Simulator.SceneHash.ToString("x16", System.Globalization.CultureInfo.InvariantCulture));
         SceneShapeJson.Write(json, SceneShapes.Of(scene), scene.Goals);
     });

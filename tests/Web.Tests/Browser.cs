@@ -56,7 +56,7 @@ public sealed class Browser : IAsyncLifetime
         string before = (await _playing.Said("scene"))!;
         // Without what tests wait for; the number makes each address another one.
         await _playing.Page.EvaluateAsync(
-            "hash => { document.activeElement.blur(); for (const name of ['aim', 'copied', 'frames', 'flown', 'golden', 'heard']) delete document.body.dataset[name]; location.hash = hash; }", $"#{hash.TrimStart('#')}&scene={++_scenes}");
+            "hash => { document.activeElement.blur(); for (const name of ['aim', 'arrows', 'copied', 'frames', 'flown', 'golden', 'heard', 'turned']) delete document.body.dataset[name]; location.hash = hash; }", $"#{hash.TrimStart('#')}&scene={++_scenes}");
         await _playing.Until($"document.body.dataset.scene !== '{before}'");
         return _playing;
     }

@@ -151,6 +151,8 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told)
     [InlineData("")]
     [InlineData(Alone)]
     [InlineData("#keeper=3&wall=5&aside=8&windAcross=4&ball=brazuca&ground=wetTurf&altitude=2200&profile=published")]
+    [InlineData("#keeper=0&wall=2&wetness=0.5&mud=0.2&wear=0.3&pressure=0.65")]
+    [InlineData("#keeper=2&wall=0&wetness=0.5&pressure=0.65&profile=published")]
     public async Task The_copied_program_plays_what_is_seen(string hash)
     {
         Window window = await browser.Playing(hash);

@@ -1,31 +1,52 @@
 // A moving ball. The worker simulates it ahead of the display, and passes it to the page in rows of numbers, which begin with their kind.
-const ROW = { key: 0, event: 1, keeper: 2, bulge: 3, sound: 4, squash: 5 };
+const ROW = { key: 0, event: 1, keeper: 2, bulge: 3, sound: 4, squash: 5, forces: 6 };
+// The forces of a row, in this order; the page has the same list.
+const FORCES = ["weight", "buoyancy", "drag", "magnus", "knuckle", "nets", "load", "friction"];
 // The samples per second of a sound; the page has the same number.
 const SOUND_RATE = 24000;
 // The loudness below which the page is silent, and the flattening below which the ball is round.
 const QUIET = 0.02, ROUND = 0.999;
 
 class Flight {
-  constructor(setting, ahead, { velocity, spin }) {
-    if (setting.keeper > 0) {
-      this.keeper = new Keeper(setting.goal, setting.reaction, setting.gloveSpeed);
-      this.keeper.watch(ahead);
-    }
+  // changes: times from which on the ball moves in the scene of another setting.
+  constructor(given) {
+    const { setting, keeper, kick, changes } = given;
+    Object.assign(this, { given, keeper, changes: [...changes], rows: [] });
+    this.enter(setting);
+    this.ball.kick(kick.velocity, kick.spin);
+    this.key(this.ball, this.ball.velocity, this.ball.orientation);
+    this.writeKeeper();
+    this.writeForces();
+  }
+
+  enter(setting) {
     this.scene = setting.scene(this.keeper ? KEEPER_BODIES : []);
     this.ball = this.scene.ball();
     this.moving = this.ball.bulges().map(() => false);
-    this.rows = [];
-    this.ball.kick(velocity, spin);
-    this.key(this.ball, this.ball.velocity, this.ball.orientation);
-    this.writeKeeper();
+  }
+
+  // Continues the ball in the scene of another setting.
+  changeTo(setting) {
+    const { scene, ball } = this;
+    this.enter(setting);
+    this.ball.restore(ball.save());
+    ball.free();
+    scene.free();
+  }
+
+  free() {
+    this.ball.free();
+    this.scene.free();
   }
 
   get isOver() { return this.ball.motion === "rest" || this.ball.time >= LONGEST; }
 
   // Simulates some more seconds, and returns the new rows.
   advance(seconds) {
-    const { ball } = this, until = ball.time + seconds;
-    while (ball.time < until && !this.isOver) {
+    const until = this.ball.time + seconds;
+    while (this.ball.time < until && !this.isOver) {
+      while (this.changes.length > 0 && this.changes[0].time <= this.ball.time) this.changeTo(this.changes.shift().setting);
+      const { ball } = this;
       if (this.keeper) this.keeper.moveTo(ball.time, this.scene.bodies);
       ball.step(TIME_STEP);
       ball.events.forEach((e, i) => {
@@ -38,6 +59,7 @@ class Flight {
       this.writeKeeper();
       this.writeNets();
       this.writeSquash();
+      this.writeForces();
     }
     return Float64Array.from(this.rows.splice(0));
   }
@@ -57,6 +79,13 @@ class Flight {
     const { along, across, axis } = this.ball.squash(), flat = along < ROUND;
     if (flat || this.flat) this.rows.push(ROW.squash, this.ball.time, along, across, ...axis);
     this.flat = flat;
+  }
+
+  // Writes the forces with which the next step begins; zeros if it begins with impulses.
+  writeForces() {
+    if (!this.given.showsForces) return;
+    const forces = this.ball.forces(TIME_STEP);
+    this.rows.push(ROW.forces, this.ball.time, forces ? 1 : 0, ...FORCES.flatMap(name => forces ? forces[name] : [0, 0, 0]));
   }
 
   writeKeeper() {

@@ -1,11 +1,12 @@
 // A ball in flight: collects the rows of the library in a track, which is drawn while it still grows.
 const SOUND_RATE = 24000;
-const ROWS = [19, 9, 11, 10, 5 + SOUND_RATE / 4, 7];
+const FORCES = ["weight", "buoyancy", "drag", "magnus", "knuckle", "nets", "load", "friction"];
+const ROWS = [19, 9, 11, 10, 5 + SOUND_RATE / 4, 7, 3 + 3 * FORCES.length];
 const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed", "enterZone", "exitZone"];
 
 class Flown {
   constructor(number, colour, radius) {
-    Object.assign(this, { number, colour, radius, events: [], keeper: [], sounds: [], squashes: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
+    Object.assign(this, { number, colour, radius, events: [], keeper: [], sounds: [], squashes: [], forces: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
   }
 
   // The end of the track so far, s.
@@ -30,6 +31,9 @@ class Flown {
           break;
         case 5:
           this.squashes.push({ t: row[0], along: row[1], across: row[2], axis: row.slice(3, 6) });
+          break;
+        case 6:
+          this.forces.push({ t: row[0], of: row[1] ? Object.fromEntries(FORCES.map((name, i) => [name, row.slice(2 + 3 * i, 5 + 3 * i)])) : null });
           break;
         default:
           this.nets.take(row);
@@ -62,6 +66,9 @@ class Flown {
     const along = a.along + s * (b.along - a.along);
     return along < 0.999 ? { along, across: a.across + s * (b.across - a.across), axis: b.axis } : null;
   }
+
+  // Returns the forces at a time by name, in N; null where the step uses impulses.
+  forcesAt(t) { return this.forces.findLast(f => f.t <= t + 1e-9)?.of ?? null; }
 
   first(...kinds) { return this.events.find(e => kinds.includes(e.kind)); }
 

@@ -173,7 +173,8 @@ $("panel").addEventListener("input", e => {
   const { name, value } = e.target;
   if (!(name in set)) return;
   set[name] = typeof DEFAULTS[name] === "number" ? Number(value) : value;
-  if (KICK.includes(name)) changed(); else if (engine) scene();
+  if (KICK.includes(name)) changed();
+  else if (engine) { if (DIALS.includes(name) && playing && flights.length <= 2) turn(); else scene(); }
 });
 $("spots").addEventListener("click", e => {
   if (!e.target.dataset.spot) return;
@@ -188,6 +189,7 @@ $("fold").addEventListener("click", () => {
 $("kick").addEventListener("click", kickOne);
 $("many").addEventListener("click", kickMany);
 $("replay").addEventListener("click", replay);
+$("forces").addEventListener("click", toggleForces);
 document.querySelectorAll("[data-view]").forEach(b => b.addEventListener("click", () => { view = viewed = b.dataset.view; look(); }));
 
 async function copied(text, words) {
@@ -243,7 +245,7 @@ $("bits").addEventListener("click", async () => {
 });
 
 const KEYS = {
-  " ": kickOne, Enter: kickOne, b: kickMany, r: replay, c: copyCode, l: copyLink, t: toggleTheme, m: mute, "?": () => $("how").showModal(),
+  " ": kickOne, Enter: kickOne, b: kickMany, r: replay, c: copyCode, l: copyLink, t: toggleTheme, m: mute, f: toggleForces, "?": () => $("how").showModal(),
   ArrowLeft: () => change("azimuth", 0.5), ArrowRight: () => change("azimuth", -0.5), ArrowUp: () => change("elevation", 0.5), ArrowDown: () => change("elevation", -0.5),
   "+": () => change("speed", 0.5), "=": () => change("speed", 0.5), "-": () => change("speed", -0.5),
   a: () => change("side", 3), d: () => change("side", -3), w: () => change("top", 3), s: () => change("top", -3), Escape: ready, n: ready,

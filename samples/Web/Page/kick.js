@@ -55,11 +55,30 @@ async function kick(kickings) {
   look();
   say("");
   hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
-  const balls = flights;
-  for (const flown of balls) {
-    await engine.call("kick", [flown.number, flown.which, ...flown.kick]);
+  for (const flown of flights) {
+    await engine.call("kick", [flown.number, flown.which, flights.length <= 2, ...flown.kick]);
     if (over()) return;
   }
+  await simulate(flights, over);
+}
+
+// Continues the balls under the new dials from the present time on.
+async function turn() {
+  const mine = ++run, over = () => mine !== run, now = time;
+  const balls = flights.map(f => Object.assign(new Flown(f.number, f.colour, f.radius), { which: f.which, kick: f.kick, scored: f.scored }));
+  fill();
+  await compile();
+  if (over()) return;
+  for (const flown of balls) {
+    await engine.call("change", [flown.number, flown.which, now]);
+    if (over()) return;
+  }
+  document.body.dataset.turned = String(now);
+  await simulate(balls, over);
+}
+
+// Simulates balls to their end, ahead of the display, which shows them as soon as they have reached its time.
+async function simulate(balls, over) {
   const things = new Map();
   const name = thing => things.get(thing) || "";
   while (balls.some(f => !f.isOver)) {
@@ -74,6 +93,7 @@ async function kick(kickings) {
       // Of many balls, simulate only the part that is shown.
       flown.isOver = (balls.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("isOver", [flown.number]);
       if (over()) return;
+      if (balls !== flights && balls.every(f => f.isOver || f.end > time)) flights = balls;
       document.body.dataset.flown = JSON.stringify(balls.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
     }
   }

@@ -4,13 +4,16 @@ const DEGREES = 180 / Math.PI, FULL_PULL = 0.3, LEAST_SPEED = 6, MOST_SPEED = 38
 const DEFAULTS = {
   speed: 31, elevation: 17, azimuth: 0.5, side: 40, top: 25, distance: 22, aside: 0, wall: 4, keeper: 2,
   ball: "modern", ground: "matchTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
+  wetness: 0, mud: 0, wear: 0, pressure: 0.8,
 };
 // The hint names only controls of the device: fingers have neither a wheel nor keys.
 let touch = matchMedia("(pointer: coarse)").matches;
 const start = () => `Pull back from the ball and let go, or ${touch ? "tap" : "click in"} the goal.`;
 const VIEWS = ["behind", "side", "above", "goal", "ball"];
 const KICK = ["speed", "elevation", "azimuth", "top", "side"];
-const SCENE = ["profile", "ball", "ground", "altitude", "windAcross", "windAlong", "distance", "aside", "wall", "keeper"];
+const SCENE = ["profile", "ball", "ground", "altitude", "windAcross", "windAlong", "distance", "aside", "wall", "keeper", "wetness", "mud", "wear", "pressure"];
+// The dials act on a ball that already moves; all other conditions put it back on its spot.
+const DIALS = ["wetness", "mud", "wear", "pressure"];
 const TEXT = {
   speed: v => `${v.toFixed(1)} m/s`, elevation: v => `${v.toFixed(1)}°`,
   azimuth: v => Math.abs(v) < 0.05 ? "straight" : `${Math.abs(v).toFixed(1)}° ${v > 0 ? "left" : "right"}`,
@@ -19,11 +22,12 @@ const TEXT = {
   distance: v => `${v} m`, aside: v => v === 0 ? "middle" : `${Math.abs(v)} m ${v > 0 ? "right" : "left"}`, wall: v => v === 0 ? "none" : `${v}`,
   windAcross: v => v === 0 ? "none" : `${Math.abs(v)} m/s to the ${v > 0 ? "right" : "left"}`,
   windAlong: v => v === 0 ? "none" : `${Math.abs(v)} m/s ${v > 0 ? "behind" : "against"}`, altitude: v => `${v} m`,
+  ...Object.fromEntries(["wetness", "mud", "wear"].map(name => [name, v => v === 0 ? "none" : v.toFixed(2)])), pressure: v => `${v.toFixed(2)} bar`,
 };
 
 const stage = new Stage($("stage")), camera = stage.camera;
 const set = { ...DEFAULTS };
-let engine = null, radius = 0.11, besideRadius = 0.11, flights = [], time = 0, rate = 1, view = "behind", viewed = "behind", playing = false;
+let engine = null, air = null, radius = 0.11, besideRadius = 0.11, flights = [], time = 0, rate = 1, view = "behind", viewed = "behind", playing = false;
 let pull = null, dirty = true, last = 0, number = 0, run = 0, kicks = 0, goals = 0, moved = null;
 
 // ---- what is set
@@ -60,13 +64,20 @@ function fill() {
   document.body.dataset.kick = JSON.stringify(KICK.map(name => set[name]));
 }
 
-async function scene() {
-  const shown = await engine.call("set", SCENE.map(name => set[name]));
-  radius = shown.radius;
+// Sets the scene of the library, and the second one for comparison. Returns the objects of the first.
+async function compile() {
+  const shown = engine.call("set", SCENE.map(name => set[name]));
   if (set.beside) {
     const [profile, ball] = set.beside.split(":");
     besideRadius = await engine.call("beside", [profile || set.profile, ball || set.ball]);
   }
+  return shown;
+}
+
+async function scene() {
+  const shown = await compile();
+  radius = shown.radius;
+  air = { viscosity: shown.kinematicViscosity, wind: shown.wind };
   stage.show({ shapes: [...shown.shapes, ...wholePitch(shown.goals[0])], goals: shown.goals, targets: [], ground: { x: -200, z: -200, cell: 400, columns: 2, rows: 2, heights: [0, 0, 0, 0] } });
   ready();
   await lookAhead();

@@ -10,10 +10,10 @@ class Playground {
   names() { return { balls: Object.keys(this.physics.balls), grounds: this.physics.materials.slice(0, this.physics.materials.indexOf("goalFrame")) }; }
 
   // Sets the scene, and returns its objects for the drawing.
-  set(profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper) {
-    this.put(0, new Setting(this.physics, { profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper }));
-    const { radius, shapes, goals } = this.balls[0].scene;
-    return { radius, shapes, goals };
+  set(profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper, wetness, mud, wear, pressure) {
+    this.put(0, new Setting(this.physics, { profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper, wetness, mud, wear, pressure }));
+    const { radius, kinematicViscosity, shapes, goals } = this.balls[0].scene;
+    return { radius, kinematicViscosity, shapes, goals, wind: this.settings[0].wind };
   }
 
   // Sets a second scene for comparison: the first one with other laws and another ball. Returns the ball's radius.
@@ -42,11 +42,23 @@ class Playground {
     return ball.lookAhead(seconds, samples, { timeStep: TIME_STEP });
   }
 
-  // Kicks a ball, with a number that the page chooses.
-  kick(number, which, speed, elevation, azimuth, topSpin, sideSpin) {
-    const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
-    this.look(which, kick, 3, 2);
-    this.flights.set(number, new Flight(this.settings[which], this.balls[which], kick));
+  // Kicks a ball, with a number that the page chooses. The page draws the forces on some balls only.
+  kick(number, which, showsForces, speed, elevation, azimuth, topSpin, sideSpin) {
+    const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin }), setting = this.settings[which];
+    let keeper = null;
+    if (setting.keeper > 0) {
+      this.look(which, kick, 3, 2);
+      keeper = new Keeper(setting.goal, setting.reaction, setting.gloveSpeed);
+      keeper.watch(this.balls[which]);
+    }
+    this.flights.set(number, new Flight({ setting, keeper, kick, showsForces, changes: [] }));
+  }
+
+  // Continues a kicked ball in the present scene from a time on. The ball is simulated again up to that time, because it is ahead of the display.
+  change(number, which, time) {
+    const old = this.flights.get(number), changes = old.given.changes.filter(change => change.time < time);
+    this.flights.set(number, new Flight({ ...old.given, changes: [...changes, { time, setting: this.settings[which] }] }));
+    old.free();
   }
 
   advance(number, seconds) { return this.flights.get(number).advance(seconds); }
@@ -65,10 +77,7 @@ class Playground {
   }
 
   forget() {
-    for (const { ball, scene } of this.flights.values()) {
-      ball.free();
-      scene.free();
-    }
+    for (const flight of this.flights.values()) flight.free();
     this.flights.clear();
   }
 

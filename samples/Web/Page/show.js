@@ -75,6 +75,7 @@ function paint() {
     drawPull();
   }
   numbers(flown);
+  showForces(flown[0]);
 }
 
 function keepers(flown) {

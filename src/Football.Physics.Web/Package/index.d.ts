@@ -266,6 +266,8 @@ export interface Physics extends Presets {
 interface SceneAbout {
   /** The radius of the ball, in m. */
   readonly radius: number;
+  /** The kinematic viscosity of the air, in m²/s, for the Reynolds number. */
+  readonly kinematicViscosity: number;
   /** The names of all objects, by index. */
   readonly names: readonly string[];
   /** The hash of the scene. Scenes with equal hashes give identical results. */

@@ -149,6 +149,8 @@ class Scene {
 
   get radius() { return this.about.radius; }
 
+  get kinematicViscosity() { return this.about.kinematicViscosity; }
+
   get hash() { return this.about.hash; }
 
   get shapes() { return this.about.shapes; }
