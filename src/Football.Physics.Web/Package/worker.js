@@ -28,8 +28,8 @@ async function answer({ target, method, args, bodies }) {
     return {};
   }
   if (method === "scene") {
-    const { radius, names, hash, shapes, goals } = value;
-    return { value: { id: add(value), radius, names, hash, shapes, goals, bodies: value.bodies.map(body => body.name) } };
+    const { radius, kinematicViscosity, names, hash, shapes, goals } = value;
+    return { value: { id: add(value), radius, kinematicViscosity, names, hash, shapes, goals, bodies: value.bodies.map(body => body.name) } };
   }
   if (method === "ball") return { value: { id: add(value), ...stateOf(value) } };
   return object.scene ? { value, state: stateOf(object) } : { value };
