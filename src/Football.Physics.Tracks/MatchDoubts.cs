@@ -21,8 +21,14 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     /// <summary>The square of the distance of the fitted drag from that of the ball, in deviations, above which the laws are in doubt.</summary>
     private const double MostStrangeness = 12;
 
-    /// <summary>The doubt about the laws: the error of the drag of a flight and of a velocity as shares of them, and of a spin in rad/s and as a share of it.</summary>
-    private const double LawDrag = 0.04;
+    /// <summary>The errors of the drag and of the lift of a flight as shares of them: with a fitted shape of the drag curve, and without.</summary>
+    /// <remarks>Below: of simulated flights by other laws, fewer than 98 % are within three deviations. Above: more than 76 % are within one.</remarks>
+    private const double ShapedDrag = 0.02;
+    private const double ShapedLift = 0.05;
+    private const double LawDrag = 0.06;
+    private const double LawLift = 0.12;
+
+    /// <summary>The same for a short flight and for the flight before an impact: of a velocity as a share of it, and of a spin in rad/s and as a share of it.</summary>
     private const double LawVelocity = 0.0025;
     private const double LawSpin = 1;
     private const double LawSpinShare = 0.08;
@@ -62,6 +68,12 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     /// <summary>True if the drag of the fitted ball is not that of the scene's ball.</summary>
     public bool IsStrange => HasOtherLaw || Strangeness > MostStrangeness;
 
+    /// <summary>Returns the doubt about a spin as a share of it, before the tests: 0 if the drag is that of the scene's ball.</summary>
+    /// <param name="fit">The fit, with its covariance.</param>
+    /// <param name="rigid">The model without the shape of the drag curve.</param>
+    public static double OfSpin(SharedFit fit, MatchModel rigid) =>
+        fit.Values.Length > rigid.Count || rigid.Strangeness(fit.Values, fit.Covariance) > MostStrangeness ? LawSpinShare : 0;
+
     /// <summary>Runs the tests; the flights keep their launches.</summary>
     public void Test(SharedFit fit, FitWatch watch)
     {
@@ -71,8 +83,13 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         Strangeness = model.Strangeness(fit.Values, fit.Covariance);
         if (IsStrange)
         {
-            fit.DragDoubt = LawDrag;
-            fit.MeasureUncertainty(flights, shares, watch);
+            var doubted = new SharedFit(equations, new MatchModel(scene, request, law, knownLift: true), request.Lift ? fit.Values : [.. fit.Values, 1])
+            {
+                DragDoubt = law ? ShapedDrag : LawDrag,
+                LiftDoubt = law ? ShapedLift : LawLift,
+            };
+            doubted.MeasureUncertainty(flights, shares, watch);
+            CopyCovariance(doubted, fit);
         }
 
         if (flights.Count == 0)
@@ -88,17 +105,17 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     }
 
     /// <summary>
-    /// Adds the doubt about the laws to the deviations of all flights: if the fitted drag is not that of the ball, its lift may not be either.
+    /// Adds the doubt about the laws to the deviations of short flights: if the fitted drag is not that of the ball, its lift may not be either.
     /// </summary>
-    /// <param name="others">The flights that were too short for the tests.</param>
-    public void Widen(IEnumerable<FlightPath> others)
+    /// <param name="brief">The flights that were too short for the tests.</param>
+    public void Widen(IEnumerable<FlightPath> brief)
     {
         if (!IsStrange)
         {
             return;
         }
 
-        foreach (FlightPath flight in flights.Concat(others))
+        foreach (FlightPath flight in brief)
         {
             double velocity = LawVelocity * flight.Velocity.Length;
             double spin = LawSpin + (LawSpinShare * flight.Spin.Length);
@@ -106,6 +123,16 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             {
                 flight.Covariance[(i * FlightPath.Launch) + i] += i < 6 ? velocity * velocity : spin * spin;
             }
+        }
+    }
+
+    /// <summary>Copies the covariance of the common parameters: the first ones of the other fit.</summary>
+    private static void CopyCovariance(SharedFit from, SharedFit to)
+    {
+        int n = to.Values.Length;
+        for (int i = 0; i < n; i++)
+        {
+            Array.Copy(from.Covariance, i * from.Values.Length, to.Covariance, i * n, n);
         }
     }
 

@@ -88,7 +88,8 @@ public sealed class MatchFit
         fit.MeasureUncertainty(used, shares, watch);
         double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
         equations.Contact = contact;
-        new MatchPieces(runs, equations, fit.At, contact).SetPriorSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], watch));
+        double doubt = MatchDoubts.OfSpin(fit, model);
+        new MatchPieces(runs, equations, fit.At, contact).SetPriorSpins(flights, request.SpinDeviation, doubt, flight => FitShort(fit, equations, [flight], watch));
         fit.Descend(used, shares, watch);
         fit.MeasureUncertainty(used, shares, watch);
         FitShort(fit, equations, brief, watch);

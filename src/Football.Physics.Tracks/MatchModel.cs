@@ -23,6 +23,9 @@ internal sealed class MatchModel
     private const double WeightStep = 0.01;
     private const double WeightDeviation = 0.3;
 
+    /// <summary>The prior standard deviation of a factor of the lift that stays 1.</summary>
+    private const double KnownLiftDeviation = 1e-6;
+
     private const double MostCrisis = 3.5e5;
     private const double LeastFactor = 0.05;
     private const double MostFactor = 5;
@@ -44,12 +47,13 @@ internal sealed class MatchModel
     /// <param name="request">The parameters to estimate.</param>
     /// <param name="law">True to estimate also the shape of the drag curve, which the request does not name. Default false.</param>
     /// <param name="weight">True to estimate also a factor of gravity: it is 1 if times and heights are right. Default false.</param>
-    public MatchModel(Scene scene, MatchFitRequest request, bool law = false, bool weight = false)
+    /// <param name="knownLift">True for derivatives also by a factor of the lift, which stays 1. Default false.</param>
+    public MatchModel(Scene scene, MatchFitRequest request, bool law = false, bool weight = false, bool knownLift = false)
     {
         // Without ground: the track determines where a flight ends.
         _scene = AimContext.WithoutThings(scene) with { Ground = Ground.None };
         _drag = request.Drag;
-        _lift = request.Lift;
+        _lift = request.Lift || knownLift;
         List<string> names = [];
         List<double> likely = [];
         List<double> deviations = [];
@@ -69,6 +73,7 @@ internal sealed class MatchModel
         _liftAt = request.Lift ? Add("lift", 1, request.FactorDeviation) : -1;
         _lawAt = law && crisis ? Add("floor", 1, FloorDeviation) : -1;
         _ = _lawAt >= 0 ? Add("width", 0, WidthDeviation) : -1;
+        _liftAt = knownLift && !request.Lift ? Add("lift", 1, KnownLiftDeviation) : _liftAt;
         _weightAt = weight ? Add("weight", 1, WeightDeviation) : -1;
         Names = [.. names];
         _likely = [.. likely];
@@ -80,6 +85,9 @@ internal sealed class MatchModel
 
     /// <summary>The index of the factor of the drag; −1 if it is not estimated.</summary>
     public int DragAt => _dragAt;
+
+    /// <summary>The index of the factor of the lift; −1 if there is none.</summary>
+    public int LiftAt => _liftAt;
 
     /// <summary>The number of parameters.</summary>
     public int Count => Names.Length;

@@ -30,8 +30,9 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     private const double UnsureTurn = 0.5;
     private const double MostGain = 1.5;
 
-    /// <summary>The uncertainty of a change of horizontal velocity, in m/s.</summary>
-    private const double UnsureChange = 1;
+    /// <summary>The uncertainty of a change of horizontal velocity beyond those of the flights, and of a twist by friction as the velocity of a rim, in m/s.</summary>
+    private const double UnsureChange = 0.2;
+    private const double UnsureTwist = 1;
 
     private readonly TrackPoint[] _track = runs.Points;
     private readonly TrackRuns _runs = runs;
@@ -121,8 +122,9 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     /// </remarks>
     /// <param name="flights">The flights, in order of time.</param>
     /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
+    /// <param name="doubt">The doubt about a spin as a share of it, beyond its standard deviation, because the laws of the ball are in doubt.</param>
     /// <param name="fit">Fits a flight again after its prior changed; the next flight uses the result.</param>
-    public void SetPriorSpins(List<FlightPath> flights, double spinDeviation, Action<FlightPath> fit)
+    public void SetPriorSpins(List<FlightPath> flights, double spinDeviation, double doubt, Action<FlightPath> fit)
     {
         BallProperties ball = _at.Scene.Ball;
         double lever = 1.0 / (ball.InertiaFactor * ball.Radius);
@@ -143,13 +145,19 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
 
             Vector3d change = (after - before).Horizontal;
             Vector3d unsure = Deviations(a, 6);
-            double unsureChange = lever * UnsureChange;
+            double doubtful = doubt * a.Spin.Length;
+            Vector3d unsureBefore = Deviations(a, 3);
+            Vector3d unsureAfter = Deviations(b, 3);
             b.LikelySpin = a.Last.Spin - (lever * Vector3d.Cross(Vector3d.Up, in change));
-            b.LikelySpinDeviation = new Vector3d(Unsure(unsure.X, unsureChange), Unsure(unsure.Y, unsureChange), Unsure(unsure.Z, unsureChange));
+            b.LikelySpinDeviation = new Vector3d(Unsure(unsure.X, Change(2)), Unsure(unsure.Y, lever * UnsureTwist), Unsure(unsure.Z, Change(0)));
             fit(b);
+
+            double Unsure(double before, double change) =>
+                before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (doubtful * doubtful) + (change * change))) : spinDeviation;
+            double Change(int axis) =>
+                lever * Math.Sqrt((UnsureChange * UnsureChange) + (unsureBefore.Along(axis) * unsureBefore.Along(axis)) + (unsureAfter.Along(axis) * unsureAfter.Along(axis)));
         }
 
-        double Unsure(double before, double change) => before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (change * change))) : spinDeviation;
     }
 
     /// <summary>Returns the time and position at which two flights meet: the closest approach of their extrapolated paths.</summary>

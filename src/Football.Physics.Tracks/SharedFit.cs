@@ -53,8 +53,10 @@ internal sealed class SharedFit
         At = new Simulator(model.Scene(Values));
     }
 
-    /// <summary>The standard deviation of the drag of a single flight, as a share of it, if the laws of the ball are in doubt; it counts in the deviations only. Default 0.</summary>
+    /// <summary>The standard deviations of the drag and of the lift of a single flight, as shares, if the laws of the ball are in doubt; they count in the deviations only. Default 0.</summary>
     public double DragDoubt { get; set; }
+
+    public double LiftDoubt { get; set; }
 
     /// <summary>The shared parameters.</summary>
     public double[] Values { get; }
@@ -194,7 +196,8 @@ internal sealed class SharedFit
                 spread[((6 + k) * _size) + 6 + k] += known.Along(k);
             }
 
-            AddDragDoubt(normal, spread);
+            AddDoubt(_model.DragAt, DragDoubt, normal, spread);
+            AddDoubt(_model.LiftAt, LiftDoubt, normal, spread);
             scores[f] = new FlightScore(_shared, normal, gradient, spread, shares[f]);
         }
 
@@ -208,19 +211,19 @@ internal sealed class SharedFit
         return new Vector3d(Width(6), Width(7), Width(8));
     }
 
-    /// <summary>Adds the covariance of the gradient for a drag of the flight that differs from the common one.</summary>
-    private void AddDragDoubt(double[] normal, double[] spread)
+    /// <summary>Adds the covariance of the gradient for a factor of the flight that differs from the common one.</summary>
+    private void AddDoubt(int parameter, double share, double[] normal, double[] spread)
     {
-        if (DragDoubt == 0 || _model.DragAt < 0)
+        if (share == 0 || parameter < 0)
         {
             return;
         }
 
-        int drag = Launch + _model.DragAt;
-        double deviation = DragDoubt * Values[_model.DragAt];
+        int at = Launch + parameter;
+        double deviation = share * Values[parameter];
         for (int i = 0; i < spread.Length; i++)
         {
-            spread[i] += deviation * deviation * normal[(i / _size * _size) + drag] * normal[(i % _size * _size) + drag];
+            spread[i] += deviation * deviation * normal[(i / _size * _size) + at] * normal[(i % _size * _size) + at];
         }
     }
 

@@ -53,6 +53,8 @@ internal static class VerdictsLab
         Cover(rules, "clean tracks", clean);
         Cover(rules, "faulty tracks that are called good", [.. faulty.Where(t => t.Launches)]);
         run.Failed |= !rules.Holds && matches >= 200;
+        run.Notes.AddRange(told.Select((t, i) => (t, i)).Where(each => each.t.IsWrong).Select(each => FormattableString.Invariant(
+            $"match {each.i}, {each.t.Match.Fault}{(each.t.Match.IsForeign ? ", other drag and bounce" : "")}: {each.t.WorstAnswer} is off by {each.t.Worst:0.0} deviations")));
         run.Notes.Add("An integrator of the laboratory plays the matches: 7 to 12 kicks, wind, 25 or 50 Hz, noise of 2 to 30 mm. In a third of the matches, drag falls linearly between two random speeds, and the bounce is another. Faults: a clock that is 2 to 10 % wrong, a half that is turned, straight lines or held frames in gaps, other drag laws, heights scaled by 2 to 10 %, a wrong rate. Judged are all flights of 0.35 s or longer with 10 points, at their starts, and wind and drag where they have a true value. The shares within deviations count the components that are stated to 1 m/s and 20 rad/s.");
     }
 
@@ -87,8 +89,9 @@ internal static class VerdictsLab
     /// <param name="Velocity">The errors of the components of velocities that are stated to 1 m/s.</param>
     /// <param name="Spin">The errors of the components of spins that are stated to 20 rad/s.</param>
     /// <param name="Worst">The largest error of an answer that the verdict calls good, however widely it is stated.</param>
+    /// <param name="WorstAnswer">This answer.</param>
     /// <param name="Misfit">The ratio of the residuals to the noise.</param>
-    private sealed record Told(VerdictMatch Match, bool Launches, bool Spins, double[] Velocity, double[] Spin, double Worst, double Misfit)
+    private sealed record Told(VerdictMatch Match, bool Launches, bool Spins, double[] Velocity, double[] Spin, double Worst, string WorstAnswer, double Misfit)
     {
         /// <summary>True if an answer that the verdict calls good is wrong.</summary>
         public bool IsWrong => Worst > Wrong;
@@ -100,7 +103,7 @@ internal static class VerdictsLab
             bool spins = fit.GoodFor.HasFlag(MatchAnswers.Spins);
             List<double> velocity = [];
             List<double> spin = [];
-            double worst = 0;
+            (double Off, string Name) worst = (0, "");
             foreach (MatchPiece flight in fit.Pieces)
             {
                 if (flight.Kind != MatchPieceKind.Flight || flight.Points < LeastPoints || flight.Duration < Shortest || match.Errors(flight) is not { } errors)
@@ -112,20 +115,23 @@ internal static class VerdictsLab
                 {
                     double ofVelocity = Math.Abs(errors[axis]) / flight.VelocityDeviation.Along(axis);
                     double ofSpin = Math.Abs(errors[3 + axis]) / flight.SpinDeviation.Along(axis);
-                    worst = Math.Max(worst, Math.Max(launches ? ofVelocity : 0, spins ? ofSpin : 0));
+                    worst = launches ? Worse(worst, ofVelocity, "velocity", flight) : worst;
+                    worst = spins ? Worse(worst, ofSpin, "spin", flight) : worst;
                     velocity.AddRange(flight.VelocityDeviation.Along(axis) <= MostVelocity ? [ofVelocity] : []);
                     spin.AddRange(flight.SpinDeviation.Along(axis) <= MostSpin ? [ofSpin] : []);
                 }
             }
 
-            worst = fit.GoodFor.HasFlag(MatchAnswers.WindAndDrag) ? Math.Max(worst, OfShared(match, fit)) : worst;
-            return new Told(match, launches, spins, [.. velocity], [.. spin], worst, fit.Rms / (Math.Sqrt(3) * fit.Noise));
+            worst = fit.GoodFor.HasFlag(MatchAnswers.WindAndDrag) ? OfShared(match, fit, worst) : worst;
+            return new Told(match, launches, spins, [.. velocity], [.. spin], worst.Off, worst.Name, fit.Rms / (Math.Sqrt(3) * fit.Noise));
         }
 
-        /// <summary>Returns the largest error of the wind, and of the drag if it is the library's. A track that is turned has no single wind.</summary>
-        private static double OfShared(VerdictMatch match, MatchFitResult fit)
+        private static (double Off, string Name) Worse((double Off, string Name) worst, double off, string answer, MatchPiece flight) =>
+            off > worst.Off ? (off, FormattableString.Invariant($"the {answer} of the flight at {flight.StartTime:0.00} s")) : worst;
+
+        /// <summary>Returns the largest error, also of the wind, and of the drag if it is the library's. A track that is turned has no single wind.</summary>
+        private static (double Off, string Name) OfShared(VerdictMatch match, MatchFitResult fit, (double Off, string Name) worst)
         {
-            double worst = 0;
             for (int i = 0; i < fit.Names.Count; i++)
             {
                 double? right = fit.Names[i] switch
@@ -135,7 +141,8 @@ internal static class VerdictsLab
                     "drag" when !match.IsForeign && match.Fault is (TrackFault.None or TrackFault.Lines or TrackFault.Held or TrackFault.Turned) => 1,
                     _ => null,
                 };
-                worst = right is { } value ? Math.Max(worst, Math.Abs(fit.Value(i) - value) / fit.StandardError(i)) : worst;
+                double off = right is { } value ? Math.Abs(fit.Value(i) - value) / fit.StandardError(i) : 0;
+                worst = off > worst.Off ? (off, fit.Names[i]) : worst;
             }
 
             return worst;
