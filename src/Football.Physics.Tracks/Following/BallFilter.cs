@@ -26,6 +26,9 @@ public sealed partial class BallFilter
     private const int HeldKicks = 3;
     private const double HeldTime = 0.8;
 
+    /// <summary>The number of points from which the interval of the stream is known.</summary>
+    private const int Recent = 8;
+
     /// <summary>The least weight of a hypothesis in the estimate.</summary>
     private const double LeastWeight = 1e-4;
 
@@ -197,6 +200,7 @@ public sealed partial class BallFilter
             }
         }
 
+        _model.Allow(begins ? 0 : Interval(time));
         var point = new FilterPoint { Time = time, Kind = kind, Value = value, Deviation = deviation, Camera = camera };
         if (begins)
         {
@@ -230,6 +234,19 @@ public sealed partial class BallFilter
         _search.Condense(_points.LastTime - Settings.Window);
         _points.Forget(Math.Min(_search.EarliestStart, _points.LastTime - Settings.Window));
         SetEstimate();
+    }
+
+    /// <summary>Returns the time since the last point, but at most that between the points before it: a gap does not mean that there is more time.</summary>
+    private double Interval(double time)
+    {
+        double least = time - _points.LastTime;
+        for (int i = Math.Max(1, _points.Count - Recent); i < _points.Count; i++)
+        {
+            double wait = _points[i].Time - _points[i - 1].Time;
+            least = wait > 0 && wait < least ? wait : least;
+        }
+
+        return least;
     }
 
     /// <summary>Condenses points early if more than <see cref="Room"/> of them are in the window.</summary>
@@ -267,7 +284,7 @@ public sealed partial class BallFilter
             double weight = _weights[i] / sum;
             _weights[i] = weight;
             Span<double> motion = _motions.AsSpan(i * Motion, Motion);
-            hypothesis.Estimate(motion);
+            hypothesis.MotionAt(hypothesis.History.Last).CopyTo(motion);
             for (int k = 0; k < Motion; k++)
             {
                 _mean[k] += weight * motion[k];

@@ -16,6 +16,12 @@ internal sealed class FilterMoment
     /// <summary>The number of coordinates that were used; 0 for an outlier.</summary>
     public int Coordinates;
 
+    /// <summary>The estimated parameters.</summary>
+    public readonly double[] Values = new double[FilterHypothesis.Most];
+
+    /// <summary>True if <see cref="Motion"/> is computed; see <see cref="FilterHypothesis.MotionAt"/>.</summary>
+    public bool HasMotion;
+
     /// <summary>Position, velocity and spin.</summary>
     public readonly double[] Motion = new double[FilterHypothesis.Motion];
 
@@ -38,6 +44,8 @@ internal sealed class FilterMoment
         stream.Flag(ref Rolls);
         stream.Flag(ref IsSmooth);
         stream.Whole(ref Coordinates);
+        stream.Numbers(Values);
+        stream.Flag(ref HasMotion);
         stream.Numbers(Motion);
         stream.Numbers(Jacobian);
         stream.Numbers(Spread);

@@ -130,6 +130,13 @@ internal sealed class FilterHypothesis
     /// <summary>The state before a kick.</summary>
     private BallState _before;
 
+    /// <summary>The last state at a kick: most rays have the kick at the same time.</summary>
+    private BallState _atKick;
+    private double _kickAt = double.NaN;
+
+    /// <summary>The work of the last iteration of a fit, in flight steps.</summary>
+    private double _fitWork;
+
     public ref readonly BallState Ray => ref _rays.States[0];
 
     /// <summary>Starts without a kick. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
@@ -145,6 +152,8 @@ internal sealed class FilterHypothesis
         Prefix = prefix;
         KickTime = kickTime;
         KickDeviation = kickDeviation;
+        IsKept = false;
+        _rays.Begin();
         Array.Copy(Mean, Values, Most);
         Array.Copy(Prior, Spread, Prior.Length);
     }
@@ -156,6 +165,7 @@ internal sealed class FilterHypothesis
         _rays.Count = Most;
         EndOfKick = end;
         _before = before;
+        _kickAt = double.NaN;
         Values[3] = velocity.X;
         Values[4] = velocity.Y;
         Values[5] = velocity.Z;
@@ -172,6 +182,7 @@ internal sealed class FilterHypothesis
     public void Transfer(ref FilterStream stream)
     {
         _rays.Count = stream.Whole(Count);
+        _rays.Begin();
         Kind = (FilterStart)stream.Whole((int)Kind);
         Part = stream.Whole(Part);
         StartTime = stream.Number(StartTime);
@@ -194,21 +205,40 @@ internal sealed class FilterHypothesis
         stream.Numbers(Spread);
         stream.Numbers(_rays.Widths);
         stream.Numbers(_leastWidths);
+        stream.Number(ref _fitWork);
         stream.Flag(ref _lies);
         stream.Plain<bool>(_rays.IsFixed);
         stream.Plain<BallState>(_rays.States);
         Span<BallState> before = [_before];
         stream.Plain(before);
         _before = before[0];
+        _kickAt = double.NaN;
         History.Transfer(ref stream);
     }
+
+    /// <summary>True if the hypothesis must not be cut: it is the best one.</summary>
+    public bool IsKept
+    {
+        get => !_rays.MayStop;
+        set => _rays.MayStop = !value;
+    }
+
+    /// <summary>True if the work of an update did not suffice. Its evidence is then −∞.</summary>
+    public bool IsCut => _rays.IsStopped;
+
+    /// <summary>True if the work of this update suffices for a fit: that of the last one, with a slide that ends on each ray.</summary>
+    public bool MayEndFit => _model.Affords(_fitWork + ((Count + 1) * FilterModel.EndOfSlide));
+
+    /// <summary>True if there is also time for it.</summary>
+    public bool MayFit => _model.MayFit && MayEndFit;
 
     /// <summary>Fits the motion to the points since the start.</summary>
     public void Fit(FilterPoints points, int iterations)
     {
         IsStale = false;
-        for (int i = 0; i < iterations && (i == 0 || _model.MayFit); i++)
+        for (int i = 0; i < iterations && (i == 0 || MayFit); i++)
         {
+            double before = _model.Work;
             Linearize();
             Array.Copy(Mean, Values, Most);
             Array.Copy(Prior, Spread, Prior.Length);
@@ -219,11 +249,11 @@ internal sealed class FilterHypothesis
             History.Clear();
             int first = IncludesStart ? points.From(StartTime) : points.After(StartTime);
             int k = first;
-            while (k < points.Count)
+            while (k < points.Count && !IsCut)
             {
                 // The history needs the motion at each point; before it, positions between long steps suffice.
                 int end = _rays.Stride(points, k, EndOfKick);
-                for (; k < end; k++)
+                for (; k < end && !IsCut; k++)
                 {
                     Points++;
                     Include(ref points[k], first == points.Count - 1);
@@ -231,7 +261,9 @@ internal sealed class FilterHypothesis
             }
 
             _rays.EndStride();
-            if (!IsFar(1))
+            End();
+            _fitWork = _model.Work - before;
+            if (IsCut || !IsFar(1))
             {
                 break;
             }
@@ -245,7 +277,8 @@ internal sealed class FilterHypothesis
     {
         Points++;
         Include(ref points[points.Count - 1], false);
-        if ((IsStale || IsFar(Far)) && _model.MayFit)
+        End();
+        if ((IsStale || IsFar(Far)) && MayFit)
         {
             Fit(points, Points > Long ? 1 : 2);
         }
@@ -255,31 +288,48 @@ internal sealed class FilterHypothesis
         }
     }
 
-    /// <summary>Returns the estimated motion at the time of the rays: position, velocity and spin.</summary>
-    public void Estimate(Span<double> motion)
+    /// <summary>Returns the estimated motion at a moment: position, velocity and spin.</summary>
+    /// <remarks>Between rays before and after an impact there is no linear motion. It is simulated, but only if it is needed.</remarks>
+    public double[] MotionAt(FilterMoment moment)
     {
-        FilterMoment last = History.Last;
-        if (!last.IsSmooth)
+        if (!moment.HasMotion)
         {
-            // Between rays before and after an impact there is no linear motion.
-            Array.Copy(Values, _bounded, Most);
-            _bounded[Twist] = Bounded(Twist);
-            _bounded[Upward] = Bounded(Upward);
-            _bounded[Moment] = Bounded(Moment);
+            Array.Copy(moment.Values, _bounded, Most);
+            _bounded[Twist] = Bounded(moment.Values, Twist);
+            _bounded[Upward] = Bounded(moment.Values, Upward);
+            _bounded[Moment] = Bounded(moment.Values, Moment);
             BallState state = Launch(_bounded, 0, 0);
-            _model.Run(ref state, last.Time);
-            FilterRays.Read(in state, motion);
-            return;
+            _model.Run(ref state, moment.Time);
+            FilterRays.Read(in state, moment.Motion);
+            moment.HasMotion = true;
         }
 
-        ReadOnlySpan<double> jacobian = last.Jacobian;
-        FilterRays.Read(in Ray, motion);
+        return moment.Motion;
+    }
+
+    /// <summary>Computes the motion at the rays from their derivatives.</summary>
+    private void SetMotion(FilterMoment moment)
+    {
+        FilterRays.Read(in Ray, moment.Motion);
         for (int i = 0; i < Motion; i++)
         {
             for (int j = 0; j < Count; j++)
             {
-                motion[i] += jacobian[(i * Most) + j] * (Values[j] - Base[j]);
+                moment.Motion[i] += moment.Jacobian[(i * Most) + j] * (Values[j] - Base[j]);
             }
+        }
+    }
+
+    /// <summary>Computes the motion at the last point, unless the hypothesis is cut.</summary>
+    private void End()
+    {
+        if (_rays.Stops())
+        {
+            Evidence = double.NegativeInfinity;
+        }
+        else if (History.Count > 0)
+        {
+            MotionAt(History.Last);
         }
     }
 
@@ -287,10 +337,10 @@ internal sealed class FilterHypothesis
     private void Linearize()
     {
         Array.Copy(Values, Base, Most);
-        Base[Twist] = Bounded(Twist);
+        Base[Twist] = Bounded(Values, Twist);
         if (Count == Most)
         {
-            Base[Moment] = Bounded(Moment);
+            Base[Moment] = Bounded(Values, Moment);
         }
 
         // A ball on the ground does not move into it, and its height is that of the ground.
@@ -339,10 +389,14 @@ internal sealed class FilterHypothesis
         double time = StartTime;
         if (Count == Most)
         {
-            BallState before = _before;
             time = p[Moment];
-            _model.Run(ref before, time);
-            position += before.Position;
+            if (!_kickAt.Equals(time))
+            {
+                (_atKick, _kickAt) = (_before, time);
+                _model.Run(ref _atKick, time);
+            }
+
+            position += _atKick.Position;
         }
 
         var velocity = new Vector3d(p[3], p[4], p[5]);
@@ -356,6 +410,12 @@ internal sealed class FilterHypothesis
     private void Include(ref FilterPoint point, bool isOnly)
     {
         bool isOld = _rays.Move(point.Time);
+        if (IsCut)
+        {
+            Evidence = double.NegativeInfinity;
+            return;
+        }
+
         FilterMoment moment = isOld ? _old : History.Push();
         _rays.Observe(in point, moment);
 
@@ -392,8 +452,13 @@ internal sealed class FilterHypothesis
         moment.Deviation = point.Deviation;
         moment.Coordinates = RejectsLast ? 0 : point.Rows;
         moment.Evidence = Evidence;
-        Estimate(moment.Motion);
+        Array.Copy(Values, moment.Values, Most);
         Array.Copy(Spread, moment.Spread, Spread.Length);
+        moment.HasMotion = moment.IsSmooth;
+        if (moment.IsSmooth)
+        {
+            SetMotion(moment);
+        }
     }
 
     /// <summary>True if the estimate is this many widths from the rays, or the rays are much wider than the uncertainty.</summary>
@@ -402,7 +467,7 @@ internal sealed class FilterHypothesis
         for (int j = 0; j < Count; j++)
         {
             double width = Math.Max(Width(j), _leastWidths[j]);
-            if (!_rays.IsFixed[j] && !(Math.Abs(Bounded(j) - Base[j]) <= most * width) || (!_rays.IsFixed[j] && Math.Abs(_rays.Widths[j]) > MostRatio * width))
+            if (!_rays.IsFixed[j] && !(Math.Abs(Bounded(Values, j) - Base[j]) <= most * width) || (!_rays.IsFixed[j] && Math.Abs(_rays.Widths[j]) > MostRatio * width))
             {
                 return true;
             }
@@ -412,9 +477,9 @@ internal sealed class FilterHypothesis
     }
 
     /// <summary>Returns an estimated parameter, within its bounds: the time of a kick, and the upward velocity of a ball on the ground.</summary>
-    private double Bounded(int parameter)
+    private double Bounded(double[] values, int parameter)
     {
-        double value = Values[parameter];
+        double value = values[parameter];
         if (parameter == Moment)
         {
             double margin = 1e-3 * (EndOfKick - StartTime);

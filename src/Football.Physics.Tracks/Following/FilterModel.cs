@@ -32,8 +32,12 @@ internal sealed class FilterModel
     /// <summary>The work up to which kicks are tried, as a multiple of that of the fits: a missed kick costs more than a late fit.</summary>
     private const double MostBranching = 1.5;
 
+    /// <summary>The work at which hypotheses are cut, as a multiple of that of the fits.</summary>
+    /// <remarks>Above: with its last run, a point takes more than 6000 flight steps. Below: more kicks are cut while a ball begins to roll.</remarks>
+    private const double MostTotal = 2.3;
+
     /// <summary>The work of a step that ends a slide, in flight steps: it is taken in pieces.</summary>
-    private const double EndOfSlide = 100;
+    public const double EndOfSlide = 100;
 
     private readonly StepLog _log = new();
     private double _most = double.PositiveInfinity;
@@ -99,6 +103,12 @@ internal sealed class FilterModel
 
     /// <summary>False if the work of this update no longer allows another kick to be tried. The next update then tries it.</summary>
     public bool MayBranch => Work < MostBranching * _most;
+
+    /// <summary>False if the work of this update is used up. What is not yet simulated is cut.</summary>
+    public bool MayRun => Affords(0);
+
+    /// <summary>True if this update may take more work, in flight steps.</summary>
+    public bool Affords(double work) => Work + work < MostTotal * _most;
 
     /// <summary>The work of this update so far, in flight steps.</summary>
     public double Work { get; private set; }

@@ -18,6 +18,12 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>The number of parameters.</summary>
     public int Count { get; set; }
 
+    /// <summary>True if the rays may stop because the work of an update is used up.</summary>
+    public bool MayStop { get; set; }
+
+    /// <summary>True if the rays stopped: their hypothesis is cut.</summary>
+    public bool IsStopped { get; private set; }
+
     /// <summary>The states on the rays: first that of the motion itself, then one per parameter.</summary>
     public BallState[] States { get; } = new BallState[Most + 1];
 
@@ -27,7 +33,7 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>True for a parameter that does not change, and has no ray.</summary>
     public bool[] IsFixed { get; } = new bool[Most];
 
-    /// <summary>Moves the rays to the time of a point.</summary>
+    /// <summary>Moves the rays to the time of a point, unless they stop.</summary>
     /// <returns>True if the point lies within the last long step, at whose end the rays stay.</returns>
     public bool Move(double time)
     {
@@ -40,7 +46,7 @@ internal sealed class FilterRays(FilterModel model)
                 continue;
             }
 
-            if (!isOld)
+            if (!isOld && !Stops())
             {
                 model.Run(ref States[j], time);
             }
@@ -49,6 +55,16 @@ internal sealed class FilterRays(FilterModel model)
         }
 
         return isOld;
+    }
+
+    /// <summary>Begins again.</summary>
+    public void Begin() => IsStopped = false;
+
+    /// <summary>True if the rays stop, now or before.</summary>
+    public bool Stops()
+    {
+        IsStopped |= MayStop && !model.MayRun;
+        return IsStopped;
     }
 
     /// <summary>Forgets the last long step.</summary>
@@ -78,7 +94,7 @@ internal sealed class FilterRays(FilterModel model)
         Array.Copy(States, _from, Count + 1);
         for (int j = 0; j <= Count; j++)
         {
-            if (!(j > 0 && IsFixed[j - 1]) && !model.RunSmoothly(ref States[j], last))
+            if (!(j > 0 && IsFixed[j - 1]) && (Stops() || !model.RunSmoothly(ref States[j], last)))
             {
                 Array.Copy(_from, States, Count + 1);
                 return first + 1;

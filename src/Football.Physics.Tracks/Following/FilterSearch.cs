@@ -89,16 +89,12 @@ internal sealed class FilterSearch
     /// <summary>Includes the last point.</summary>
     public void Add()
     {
-        int last = _points.Count - 1;
-        _model.Allow(last > 0 ? _points[last].Time - _points[last - 1].Time : 0);
-        FilterHypothesis best = Best;
-        best.Add(_points);
-        for (int i = 0; i < Count; i++)
+        int added = 0;
+        for (int i = Next(added); i >= 0; i = Next(added))
         {
-            if (_slots[i] != best)
-            {
-                _slots[i].Add(_points);
-            }
+            _slots[i].IsKept = added == 0;
+            _slots[i].Add(_points);
+            added |= 1 << i;
         }
 
         Drop();
@@ -109,33 +105,41 @@ internal sealed class FilterSearch
     /// <summary>Includes a late point.</summary>
     public void Insert(double time)
     {
-        _model.Allow(0);
-        FilterHypothesis best = Best;
-        Include(best);
-        for (int i = 0; i < Count; i++)
+        int included = 0;
+        for (int i = Next(included); i >= 0; i = Next(included))
         {
-            if (_slots[i] != best)
-            {
-                Include(_slots[i]);
-            }
-        }
-
-        Drop();
-
-        void Include(FilterHypothesis into)
-        {
+            FilterHypothesis into = _slots[i];
+            into.IsKept = included == 0;
+            included |= 1 << i;
             if (into.StartTime < time)
             {
                 into.IsStale = true;
-                if (_model.MayFit)
+                if (into.MayFit)
                 {
                     into.Fit(_points, 1);
                 }
             }
         }
+
+        Drop();
     }
 
-    /// <summary>Condenses the points before the history of hypotheses that are older than a time.</summary>
+    /// <summary>Returns the hypothesis with the greatest evidence of those whose bit is not set; −1 if there is none. The work may not suffice for all.</summary>
+    private int Next(int done)
+    {
+        int next = -1;
+        for (int i = 0; i < Count; i++)
+        {
+            if ((done & (1 << i)) == 0 && (next < 0 || _slots[i].Evidence > _slots[next].Evidence))
+            {
+                next = i;
+            }
+        }
+
+        return next;
+    }
+
+    /// <summary>Condenses the points before the history of hypotheses that are older than a time, as far as the work of the update suffices.</summary>
     public void Condense(double time)
     {
         for (int i = 0; i < Count; i++)
@@ -144,7 +148,7 @@ internal sealed class FilterSearch
             bool isFull = old.History.Count == FilterHistory.Room;
 
             // A rolling ball has fewer parameters, and its motion no longer depends on how it came to roll.
-            if (isFull && (old.StartTime < time || (old.Kind != FilterStart.Rolling && old.History[0].Rolls && old.History[Condensed].Rolls)))
+            if (isFull && old.MayEndFit && (old.StartTime < time || (old.Kind != FilterStart.Rolling && old.History[0].Rolls && old.History[Condensed].Rolls)))
             {
                 Condense(old);
             }
@@ -202,6 +206,7 @@ internal sealed class FilterSearch
         FilterStart kind = moment.Rolls ? FilterStart.Rolling : FilterStart.Free;
         _priors.SetMoment(old, moment, kind);
         old.Start(moment.Time, moment.Evidence, old.KickTime, old.KickDeviation, kind);
+        old.IsKept = true;
         old.Fit(_points, 1);
     }
 
@@ -235,7 +240,7 @@ internal sealed class FilterSearch
         if (likely > 0)
         {
             // A fit that has not converged looks like a kick. Without time for it, the next update seeks the kick.
-            bool mayFit = _model.MayFit;
+            bool mayFit = best.MayFit;
             if (mayFit)
             {
                 best.Fit(_points, Again);
@@ -261,7 +266,7 @@ internal sealed class FilterSearch
             return;
         }
 
-        BallState state = _model.Launch(before.Motion, before.Time, before.Rolls);
+        BallState state = _model.Launch(best.MotionAt(before), before.Time, before.Rolls);
         BallState middle = state;
         _model.Run(ref middle, before.Time + (0.5 * span));
         Vector3d velocity = Velocity(in middle, best, at, out bool hasHeight);
