@@ -10,6 +10,10 @@ internal sealed class FollowOracle
     private const double Known = 1e-7;
 
     private const int Iterations = 8;
+    private const int BoundRounds = 4;
+
+    /// <summary>The height above the contact up to which a ball lies, m.</summary>
+    private const double OnGround = 1e-9;
 
     private readonly FilterModel _model;
     private readonly FilterPoints _points = new(2048);
@@ -17,7 +21,7 @@ internal sealed class FollowOracle
     private FilterHypothesis _now;
     private FilterHypothesis _before;
     private readonly FilterHypothesis _bound;
-    private TrueKick? _kick;
+    private TrueMotion _truth;
 
     public FollowOracle(Scene scene, BallFilterSettings settings)
     {
@@ -62,14 +66,14 @@ internal sealed class FollowOracle
     public void Begin(FollowRow row, double noise)
     {
         Insert(row, noise);
-        Array.Clear(_now.Mean);
-        Array.Clear(_now.Prior);
-        (_now.Mean[0], _now.Mean[1], _now.Mean[2]) = (row.Measured.X, row.Measured.Y, row.Measured.Z);
-        SetPrior(_now, 10);
-        _now.Start(row.Time, 0, double.NegativeInfinity, 0, FilterStart.Free);
+        bool lies = row.Truth.Position.Y <= TruthBall.Radius + OnGround && row.Truth.Velocity.Y == 0;
+        FilterStart kind = lies ? FilterStart.Rolling : FilterStart.Free;
+        Vector3d measured = row.Measured;
+        new FilterPriors(_model.Settings).SetStart(_now, in _points[0], in measured, kind);
+        _now.Start(row.Time, 0, double.NegativeInfinity, 0, kind);
         _now.IncludesStart = true;
-        _now.Guess(row.Truth.Position, row.Truth.Velocity, row.Truth.Spin);
-        _now.Fit(_points, Iterations);
+        _truth = row.Truth;
+        FitFromTruth();
     }
 
     public void Add(FollowRow row, double noise)
@@ -84,16 +88,16 @@ internal sealed class FollowOracle
         LastKick = kick.Time;
 
         // The position at the kick follows from the points before it: fit them to the end.
-        _now.Fit(_points, Iterations);
+        FitFromTruth();
         (_now, _before) = (_before, _now);
         FilterMoment last = _before.History.Last;
         FilterMath.Covariance(last, _before.Count, _covariance);
-        double[] m = last.Motion;
+        double[] m = _before.MotionAt(last);
         BallState state = _model.Launch(new Vector3d(m[0], m[1], m[2]), new Vector3d(m[3], m[4], m[5]), new Vector3d(m[6], m[7], m[8]), last.Time);
         double wait = kick.Time - last.Time;
         Array.Clear(_now.Mean);
         Array.Clear(_now.Prior);
-        SetPrior(_now, 0);
+        SetPrior(_now);
         for (int i = 0; i < 3; i++)
         {
             for (int j = 0; j < 3; j++)
@@ -111,8 +115,8 @@ internal sealed class FollowOracle
         Array.Copy(_now.Mean, _bound.Mean, Most);
         Array.Copy(_now.Prior, _bound.Prior, Most * Most);
         _bound.Start(in state, row.Time, 0, kick.Velocity, FilterStart.Free);
-        _kick = kick;
-        _now.Fit(_points, Iterations);
+        _truth = new TrueMotion(Vector3d.Zero, kick.Velocity, kick.Spin);
+        FitFromTruth();
 
         double At(int i, int j) => _covariance[(i * Motion) + j];
     }
@@ -120,28 +124,53 @@ internal sealed class FollowOracle
     /// <summary>The covariance of the Cramér–Rao bound with the priors: that of the linearization at the truth.</summary>
     public double[] Bound { get; } = new double[Motion * Motion];
 
-    /// <summary>Fits to the end, from the true motion so that no other minimum is found, and computes the estimate.</summary>
+    /// <summary>True if the bound holds: between an estimate before an impact and one after it there is no linear motion.</summary>
+    public bool HasBound => _bound.History.Last.IsSmooth && _now.History.Last.IsSmooth;
+
+    /// <summary>Fits to the end, and computes the estimate and the bound.</summary>
     public void Finish()
     {
-        if (_kick is { } kick)
+        // The first rays are as wide as the prior; later ones suit the covariance.
+        for (int i = 0; i < BoundRounds; i++)
         {
-            _now.Guess(Vector3d.Zero, kick.Velocity, kick.Spin);
-            _bound.Guess(Vector3d.Zero, kick.Velocity, kick.Spin);
+            _bound.Guess(_truth.Position, _truth.Velocity, _truth.Spin);
             _bound.Fit(_points, 1);
-            FilterMath.Covariance(_bound.History.Last, _bound.Count, Bound);
         }
 
-        _now.Fit(_points, Iterations);
-        _now.Estimate(Estimate);
+        FilterMath.Covariance(_bound.History.Last, _bound.Count, Bound);
+        FitFromTruth();
+        _now.MotionAt(_now.History.Last).CopyTo(Estimate, 0);
         FilterMath.Covariance(_now.History.Last, _now.Count, _covariance);
     }
 
-    private void SetPrior(FilterHypothesis of, double place)
+    /// <summary>Fits from the true motion, so that no other minimum is found, and keeps the most probable iteration: near an impact they may not converge.</summary>
+    private void FitFromTruth()
+    {
+        _now.Guess(_truth.Position, _truth.Velocity, _truth.Spin);
+        double most = double.NegativeInfinity;
+        double[] start = new double[Most];
+        double[] best = new double[Most];
+        for (int i = 0; i < Iterations; i++)
+        {
+            Array.Copy(_now.Values, start, Most);
+            _now.Fit(_points, 1);
+            if (_now.Evidence > most)
+            {
+                most = _now.Evidence;
+                Array.Copy(start, best, Most);
+            }
+        }
+
+        Array.Copy(best, _now.Values, Most);
+        _now.Fit(_points, 1);
+    }
+
+    private void SetPrior(FilterHypothesis of)
     {
         BallFilterSettings settings = _model.Settings;
-        for (int i = 0; i < Motion; i++)
+        for (int i = 3; i < Motion; i++)
         {
-            double deviation = i < 3 ? place : i < 6 ? settings.KickVelocity : settings.KickSpin;
+            double deviation = i < 6 ? settings.KickVelocity : settings.KickSpin;
             of.Prior[(i * Most) + i] = deviation * deviation;
         }
     }

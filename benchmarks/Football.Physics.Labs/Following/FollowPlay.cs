@@ -114,7 +114,11 @@ internal static class FollowPlay
                 oracle.Finish();
                 double deviation = Deviation(oracle.Covariance, 3);
                 double off = (new Vector3d(oracle.Estimate[3], oracle.Estimate[4], oracle.Estimate[5]) - row.Truth.Velocity).Length;
-                score.AddBound(at, off / Math.Sqrt(3) / Deviation(oracle.Bound, 3), last is { } of && (of.Velocity.Y > Hop || of.Position.Y > TruthBall.Radius + 0.01));
+                if (oracle.HasBound)
+                {
+                    score.AddBound(at, off / Math.Sqrt(3) / Deviation(oracle.Bound, 3), last is { } of && (of.Velocity.Y > Hop || of.Position.Y > TruthBall.Radius + 0.01));
+                }
+
                 double scale = 1 / (Math.Sqrt(3) * deviation);
                 double error = scale * (estimate.State.Velocity - row.Truth.Velocity).Length;
                 score.AddError(at, error, scale * off);

@@ -35,6 +35,8 @@ internal sealed class FollowScore
     /// <summary>Squares of the oracle's errors of the velocity in the deviations of the Cramér–Rao bound.</summary>
     public double[] Bound { get; } = new double[3];
 
+    public int[] BoundCounts { get; } = new int[3];
+
     public List<string> Falses { get; } = [];
 
     public void AddError(int at, double filter, double oracle)
@@ -53,11 +55,12 @@ internal sealed class FollowScore
     {
         double square = Math.Pow(Math.Min(Most, error), 2);
         Bound[at] += square;
+        BoundCounts[at]++;
         AirBound[at] += isInAir ? square : 0;
         AirCounts[at] += isInAir ? 1 : 0;
     }
 
-    public double BoundRatio(int at) => at < Bound.Length && Counts[at] > 0 ? Math.Sqrt(Bound[at] / Counts[at]) : double.NaN;
+    public double BoundRatio(int at) => at < Bound.Length && BoundCounts[at] > 0 ? Math.Sqrt(Bound[at] / BoundCounts[at]) : double.NaN;
 
     public double AirBoundRatio(int at) => AirCounts[at] > 0 ? Math.Sqrt(AirBound[at] / AirCounts[at]) : double.NaN;
 
@@ -96,6 +99,7 @@ internal sealed class FollowScore
         for (int i = 0; i < Bound.Length; i++)
         {
             Bound[i] += other.Bound[i];
+            BoundCounts[i] += other.BoundCounts[i];
             AirBound[i] += other.AirBound[i];
             AirCounts[i] += other.AirCounts[i];
         }
