@@ -34,6 +34,9 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     private const double UnsureChange = 0.2;
     private const double UnsureTwist = 1;
 
+    /// <summary>The growth of a flight's squared residuals, in variances, above which the spin after an impact is not that of the flight.</summary>
+    private const double MostContradiction = 16;
+
     private readonly TrackPoint[] _track = runs.Points;
     private readonly TrackRuns _runs = runs;
     private readonly FlightEquations _equations = equations;
@@ -150,7 +153,18 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
             Vector3d unsureAfter = Deviations(b, 3);
             b.LikelySpin = a.Last.Spin - (lever * Vector3d.Cross(Vector3d.Up, in change));
             b.LikelySpinDeviation = new Vector3d(Unsure(unsure.X, Change(2)), Unsure(unsure.Y, lever * UnsureTwist), Unsure(unsure.Z, Change(0)));
+            double[] free = b.Values;
+            double rms = b.Rms;
+            b.Values = (double[])free.Clone();
             fit(b);
+
+            // A kick near the ground looks like an impact, but its flight contradicts the spin of one.
+            double assumed = _equations.Deviation(in _track[b.First]);
+            if (b.Count * ((b.Rms * b.Rms) - (rms * rms)) > MostContradiction * assumed * assumed)
+            {
+                (b.LikelySpin, b.LikelySpinDeviation, b.Values) = (Vector3d.Zero, Vector3d.Zero, free);
+                fit(b);
+            }
 
             double Unsure(double before, double change) =>
                 before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (doubtful * doubtful) + (change * change))) : spinDeviation;
