@@ -149,8 +149,6 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
             Vector3d change = (after - before).Horizontal;
             Vector3d unsure = Deviations(a, 6);
             double doubtful = doubt * a.Spin.Length;
-            Vector3d unsureBefore = Deviations(a, 3);
-            Vector3d unsureAfter = Deviations(b, 3);
             b.LikelySpin = a.Last.Spin - (lever * Vector3d.Cross(Vector3d.Up, in change));
             b.LikelySpinDeviation = new Vector3d(Unsure(unsure.X, Change(2)), Unsure(unsure.Y, lever * UnsureTwist), Unsure(unsure.Z, Change(0)));
             double[] free = b.Values;
@@ -169,7 +167,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
             double Unsure(double before, double change) =>
                 before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (doubtful * doubtful) + (change * change))) : spinDeviation;
             double Change(int axis) =>
-                lever * Math.Sqrt((UnsureChange * UnsureChange) + (unsureBefore.Along(axis) * unsureBefore.Along(axis)) + (unsureAfter.Along(axis) * unsureAfter.Along(axis)));
+                lever * Math.Sqrt((UnsureChange * UnsureChange) + (Deviation(a, 3 + axis) * Deviation(a, 3 + axis)) + (Deviation(b, 3 + axis) * Deviation(b, 3 + axis)));
         }
 
     }
