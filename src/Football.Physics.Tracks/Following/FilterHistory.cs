@@ -36,6 +36,17 @@ internal sealed class FilterMoment
     public readonly double[] Rows = new double[3 * FilterHypothesis.Most];
     public readonly double[] ByPosition = new double[9];
 
+    /// <summary>Takes over a point and the estimate after it.</summary>
+    public void Take(in FilterPoint point, bool isOutlier, FilterHypothesis estimate)
+    {
+        Time = point.Time;
+        Deviation = point.Deviation;
+        Coordinates = isOutlier ? 0 : point.Rows;
+        Evidence = estimate.Evidence;
+        Array.Copy(estimate.Values, Values, Values.Length);
+        Array.Copy(estimate.Spread, Spread, Spread.Length);
+    }
+
     public void Transfer(ref FilterStream stream)
     {
         stream.Number(ref Time);

@@ -1,18 +1,5 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The constraint of a motion at its start.</summary>
-internal enum FilterStart
-{
-    /// <summary>Position, velocity and spin are free.</summary>
-    Free = 0,
-
-    /// <summary>The ball touches the ground and has no vertical velocity.</summary>
-    Sliding = 1,
-
-    /// <summary>The ball rolls: its velocity determines its spin, except for the spin about the vertical axis.</summary>
-    Rolling = 2,
-}
-
 /// <summary>One explanation of the points: the ball moves freely since a start, which is a kick or the first point.</summary>
 /// <remarks>
 /// The parameters are position, velocity and spin at the start; after a kick, the position is relative to the path before it, and the time of the kick is the
@@ -31,11 +18,6 @@ internal sealed class FilterHypothesis
     private const int Upward = 4;
     private const int Twist = 7;
 
-    /// <summary>The width of a ray, in standard deviations, and its bounds for position, velocity, spin and time.</summary>
-    private const double RayWidth = 0.5;
-    private static readonly double[] LeastWidth = [1e-4, 1e-3, 0.02, 1e-5];
-    private static readonly double[] MostWidth = [0.5, 2.0, 8.0, 0.02];
-
     /// <summary>The least change of the upward velocity of a ball on the ground, in m/s: more than <see cref="Ground.MinimumBounceSpeed"/>.</summary>
     private const double LeastHop = 0.3;
 
@@ -50,6 +32,7 @@ internal sealed class FilterHypothesis
 
     private readonly FilterModel _model;
     private readonly FilterRays _rays;
+    private readonly FilterKick _kick;
     private readonly FilterUpdate _update = new();
     private readonly FilterMoment _old = new();
     private readonly double[] _leastWidths = new double[Most];
@@ -59,6 +42,7 @@ internal sealed class FilterHypothesis
     {
         _model = model;
         _rays = new FilterRays(model);
+        _kick = new FilterKick(model);
         Slot = slot;
         History = new FilterHistory();
     }
@@ -127,13 +111,6 @@ internal sealed class FilterHypothesis
     /// <summary>True if the ball touches the ground at its start.</summary>
     private bool _lies;
 
-    /// <summary>The state before a kick.</summary>
-    private BallState _before;
-
-    /// <summary>The last state at a kick: most rays have the kick at the same time.</summary>
-    private BallState _atKick;
-    private double _kickAt = double.NaN;
-
     /// <summary>The work of the last iteration of a fit, in flight steps.</summary>
     private double _fitWork;
 
@@ -164,8 +141,7 @@ internal sealed class FilterHypothesis
         Start(before.Time, prefix, 0, 0, kind);
         _rays.Count = Most;
         EndOfKick = end;
-        _before = before;
-        _kickAt = double.NaN;
+        _kick.Begin(in before);
         Values[3] = velocity.X;
         Values[4] = velocity.Y;
         Values[5] = velocity.Z;
@@ -209,10 +185,7 @@ internal sealed class FilterHypothesis
         stream.Flag(ref _lies);
         stream.Plain<bool>(_rays.IsFixed);
         stream.Plain<BallState>(_rays.States);
-        Span<BallState> before = [_before];
-        stream.Plain(before);
-        _before = before[0];
-        _kickAt = double.NaN;
+        _kick.Transfer(ref stream);
         History.Transfer(ref stream);
     }
 
@@ -248,8 +221,7 @@ internal sealed class FilterHypothesis
             RejectedInRow = 0;
             History.Clear();
             int first = IncludesStart ? points.From(StartTime) : points.After(StartTime);
-            int k = first;
-            while (k < points.Count && !IsCut)
+            for (int k = first; k < points.Count && !IsCut;)
             {
                 // The history needs the motion at each point; before it, positions between long steps suffice.
                 int end = _rays.Stride(points, k, EndOfKick);
@@ -307,19 +279,6 @@ internal sealed class FilterHypothesis
         return moment.Motion;
     }
 
-    /// <summary>Computes the motion at the rays from their derivatives.</summary>
-    private void SetMotion(FilterMoment moment)
-    {
-        FilterRays.Read(in Ray, moment.Motion);
-        for (int i = 0; i < Motion; i++)
-        {
-            for (int j = 0; j < Count; j++)
-            {
-                moment.Motion[i] += moment.Jacobian[(i * Most) + j] * (Values[j] - Base[j]);
-            }
-        }
-    }
-
     /// <summary>Computes the motion at the last point, unless the hypothesis is cut.</summary>
     private void End()
     {
@@ -355,7 +314,7 @@ internal sealed class FilterHypothesis
         _rays.States[0] = start;
         for (int j = 0; j < Count; j++)
         {
-            double width = Width(j);
+            double width = FilterRays.WidthOf(j, Spread);
             _leastWidths[j] = 0;
             _rays.IsFixed[j] = Prior[(j * Most) + j] == 0;
             if (_rays.IsFixed[j])
@@ -390,13 +349,7 @@ internal sealed class FilterHypothesis
         if (Count == Most)
         {
             time = p[Moment];
-            if (!_kickAt.Equals(time))
-            {
-                (_atKick, _kickAt) = (_before, time);
-                _model.Run(ref _atKick, time);
-            }
-
-            position += _atKick.Position;
+            position += _kick.PositionAt(time);
         }
 
         var velocity = new Vector3d(p[3], p[4], p[5]);
@@ -446,18 +399,13 @@ internal sealed class FilterHypothesis
         }
 
         _rays.Differentiate(moment.Jacobian);
-        moment.Time = point.Time;
         moment.IsSmooth = _rays.AreSmooth();
         moment.Rolls = _rays.Roll();
-        moment.Deviation = point.Deviation;
-        moment.Coordinates = RejectsLast ? 0 : point.Rows;
-        moment.Evidence = Evidence;
-        Array.Copy(Values, moment.Values, Most);
-        Array.Copy(Spread, moment.Spread, Spread.Length);
+        moment.Take(in point, RejectsLast, this);
         moment.HasMotion = moment.IsSmooth;
         if (moment.IsSmooth)
         {
-            SetMotion(moment);
+            _rays.Extrapolate(moment, Values, Base);
         }
     }
 
@@ -466,7 +414,7 @@ internal sealed class FilterHypothesis
     {
         for (int j = 0; j < Count; j++)
         {
-            double width = Math.Max(Width(j), _leastWidths[j]);
+            double width = Math.Max(FilterRays.WidthOf(j, Spread), _leastWidths[j]);
             if (!_rays.IsFixed[j] && !(Math.Abs(Bounded(Values, j) - Base[j]) <= most * width) || (!_rays.IsFixed[j] && Math.Abs(_rays.Widths[j]) > MostRatio * width))
             {
                 return true;
@@ -489,14 +437,6 @@ internal sealed class FilterHypothesis
         // A rolling ball that hardly spins about the vertical axis soon stops doing so, at a high cost.
         bool isSmall = parameter == Twist && Kind == FilterStart.Rolling && Math.Abs(value) < FilterModel.LeastTwist;
         return isSmall ? 0 : parameter == Upward && _lies ? Math.Max(0, value) : value;
-    }
-
-    /// <summary>Returns the width of a ray that suits the uncertainty of the estimate.</summary>
-    private double Width(int parameter)
-    {
-        int kind = parameter / 3;
-        double width = RayWidth * Math.Sqrt(Math.Max(0, Spread[(parameter * Most) + parameter]));
-        return Math.Min(MostWidth[kind], Math.Max(LeastWidth[kind], width));
     }
 
     private void SetKick()

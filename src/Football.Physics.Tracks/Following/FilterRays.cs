@@ -9,6 +9,11 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>The greatest difference of the upward velocity between rays that move alike, in m/s.</summary>
     private const double MostChange = 1;
 
+    /// <summary>The width of a ray, in standard deviations, and its bounds for position, velocity, spin and time.</summary>
+    private const double RayWidth = 0.5;
+    private static readonly double[] s_leastWidth = [1e-4, 1e-3, 0.02, 1e-5];
+    private static readonly double[] s_mostWidth = [0.5, 2.0, 8.0, 0.02];
+
     private readonly BallState[] _from = new BallState[Most + 1];
     private readonly Vector3d[] _places = new Vector3d[Most + 1];
 
@@ -32,6 +37,27 @@ internal sealed class FilterRays(FilterModel model)
 
     /// <summary>True for a parameter that does not change, and has no ray.</summary>
     public bool[] IsFixed { get; } = new bool[Most];
+
+    /// <summary>Returns the width of a ray that suits the uncertainty of the estimate.</summary>
+    public static double WidthOf(int parameter, double[] spread)
+    {
+        int kind = parameter / 3;
+        double width = RayWidth * Math.Sqrt(Math.Max(0, spread[(parameter * Most) + parameter]));
+        return Math.Min(s_mostWidth[kind], Math.Max(s_leastWidth[kind], width));
+    }
+
+    /// <summary>Sets the motion at a moment from the rays and their derivatives, which are those of the moment.</summary>
+    public void Extrapolate(FilterMoment moment, double[] values, double[] start)
+    {
+        Read(in States[0], moment.Motion);
+        for (int i = 0; i < Motion; i++)
+        {
+            for (int j = 0; j < Count; j++)
+            {
+                moment.Motion[i] += moment.Jacobian[(i * Most) + j] * (values[j] - start[j]);
+            }
+        }
+    }
 
     /// <summary>Moves the rays to the time of a point, unless they stop.</summary>
     /// <returns>True if the point lies within the last long step, at whose end the rays stay.</returns>
