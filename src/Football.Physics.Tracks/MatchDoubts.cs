@@ -23,15 +23,15 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
 
     /// <summary>The errors of the drag and of the lift of a flight as shares of them: with a fitted shape of the drag curve, and without.</summary>
     /// <remarks>Below: of simulated flights by other laws, fewer than 98 % are within three deviations. Above: more than 76 % are within one.</remarks>
-    private const double ShapedDrag = 0.015;
-    private const double ShapedLift = 0.03;
-    private const double LawDrag = 0.03;
-    private const double LawLift = 0.06;
+    private const double ShapedDrag = 0.02;
+    private const double ShapedLift = 0.05;
+    private const double LawDrag = 0.06;
+    private const double LawLift = 0.12;
 
     /// <summary>The same for a short flight and for the flight before an impact: of a velocity as a share of it, and of a spin in rad/s and as a share of it.</summary>
     private const double LawVelocity = 0.0025;
     private const double LawSpin = 1;
-    private const double LawSpinShare = 0.05;
+    private const double LawSpinShare = 0.08;
 
     /// <summary>The squares of deviations above which a factor of gravity, and a change of the wind at the most different moment, add a doubt to the launches.</summary>
     private const double WeightDoubt = 4;

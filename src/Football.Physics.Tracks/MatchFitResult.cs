@@ -28,7 +28,7 @@ public sealed class MatchFitResult
 
     /// <summary>The answers that are reliable to within their standard deviations.</summary>
     /// <remarks>
-    /// Launches need a deviation of at most 1 m/s, and spins of at most 20 rad/s, in a quarter of the flights. None is reliable if
+    /// Launches need a deviation of at most 1 m/s, and spins of at most 20 rad/s, in a fifth of the flights. None is reliable if
     /// <see cref="Suspicions"/> names a fault that could not be removed.
     /// </remarks>
     public MatchAnswers GoodFor => Verdict.Answers;

@@ -76,7 +76,7 @@ internal sealed class MatchVerdict
     /// <summary>The largest standard deviations of a good launch, in m/s, and of a good spin, in rad/s; this share of the flights must have them.</summary>
     private const double MostVelocity = 1;
     private const double MostSpin = 20;
-    private const double GoodShare = 0.25;
+    private const double GoodShare = 0.2;
 
     private const double ShortestFlight = 0.3;
 
