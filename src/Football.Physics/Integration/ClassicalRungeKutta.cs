@@ -18,6 +18,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public bool GainsByHops => false;
 
+    // In the comments, y is the state, f its rate, h the step, k1 … k4 are the rates of the stages, and θ is the angle by which the ball has turned.
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
@@ -32,7 +33,6 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double ny = motion.Axis.Y;
         double nz = motion.Axis.Z;
 
-        // y is the state, f its rate, h the step, and k1 … k4 are the rates of the stages.
         // k1 = f(y)
         FlightRates.At(
             ref air, in start, in seams, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
@@ -60,7 +60,6 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             vz = uz + (along * az);
             if (air.HasSide && stage != 1 && w != 0)
             {
-                // θ is the angle by which the ball has turned.
                 // θ̇ = |ω|. Both middle stages take the mean of their angles, h/2 |ω| and h/2 |ω₂|: their sum, and so the order, stays.
                 air.Turn(in seams, in motion.Axis, along * (stage == 0 ? w + (0.5 * along * b) : vw), out turned);
                 stageSeams = ref turned;
