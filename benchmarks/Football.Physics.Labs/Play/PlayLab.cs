@@ -13,7 +13,7 @@ internal static class PlayLab
         var lab = new Lab(
             "play",
             "Fits of match tracks: your real ones with every ball and surface, simulated ones with known truth, and damaged files.",
-            ["football lab play --matches 1 --damaged 10 --seed 7"]);
+            ["football lab play --matches 1 --damaged 2 --seed 7"]);
         Option<string[]> files = lab.Add(new Option<string[]>("--track")
         {
             HelpName = "FILE",

@@ -28,7 +28,7 @@ internal static class StressLab
         var lab = new Lab(
             "stress",
             "Matches of one to five balls with wind, crowds, movable obstacles and engine colliders, in frames of 4 to 250 ms, checked by independent geometry.",
-            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --asked --matches 20 --seconds 3", "football lab stress --bytes --count 500"]);
+            ["football lab stress --matches 10 --seconds 4", "football lab stress --looks --matches 6 --seconds 3 --late 200", "football lab stress --asked --matches 5 --seconds 3", "football lab stress --bytes --count 500"]);
         Option<long> matches = lab.Whole("--matches", "Number of matches; half as many with --looks; default 300 with --asked.", 1, Most, 2000);
         Option<long> seconds = lab.Whole("--seconds", "Length of a match in s.", 1, 3600, 12);
         Option<long> jobs = lab.Jobs("Threads.");
