@@ -169,7 +169,6 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
             double Change(int axis) =>
                 lever * Math.Sqrt((UnsureChange * UnsureChange) + (Deviation(a, 3 + axis) * Deviation(a, 3 + axis)) + (Deviation(b, 3 + axis) * Deviation(b, 3 + axis)));
         }
-
     }
 
     /// <summary>Returns the time and position at which two flights meet: the closest approach of their extrapolated paths.</summary>

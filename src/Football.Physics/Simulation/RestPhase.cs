@@ -79,6 +79,7 @@ internal sealed class RestPhase
         PathCubic path = Way(in s, ref h, out Vector3d turn);
         double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Separation met);
         bool meets = at <= h;
+        BallState before = s;
         if (turn != Vector3d.Zero)
         {
             s.BaseOrientation = s.BaseOrientation.Turned((meets ? at / h : 1.0) * turn);
@@ -94,10 +95,26 @@ internal sealed class RestPhase
 
         // Do not count the time at rest as an integrated piece.
         run.Log.Steps--;
-        if (meets)
+        if (run.Log.IsWatched && s.Position != before.Position)
+        {
+            Show(in before, in s, in path, run.Log);
+        }
+
+        if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
         }
+    }
+
+    /// <summary>Reports the path of a ball that moves along with its carrier. It is a cubic with every integrator, so its order is not that of the integrator.</summary>
+    private static void Show(in BallState before, in BallState after, in PathCubic path, StepLog log)
+    {
+        BallState start = before;
+        BallState end = after;
+        double h = after.Time - before.Time;
+        start.Velocity = path.VelocityAt(0);
+        end.Velocity = path.VelocityAt(h);
+        log.Show(in start, in end, path.AccelerationAt(0), path.AccelerationAt(h), order: 4);
     }
 
     /// <summary>True if rolling friction holds a ball anywhere on a plane ground. The result is computed once per scene.</summary>

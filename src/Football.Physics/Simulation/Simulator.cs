@@ -22,7 +22,6 @@ public sealed partial class Simulator
 
     /// <summary>True if the scene has custom forces.</summary>
 
-    private readonly bool _hasOwnForces;
     private readonly bool _isPlain;
     private readonly bool _mayWake;
     private ulong? _sceneHash;
@@ -48,9 +47,8 @@ public sealed partial class Simulator
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _mayWake = _stepper.MayWake;
-        _hasOwnForces = Scene.HasOwnForces;
         Zones = ZoneWatch.Of(Scene, _world.ThingOfZone(0));
-        _isPlain = !_hasOwnForces && Zones is null;
+        _isPlain = !Scene.HasOwnForces && Zones is null;
     }
 
     /// <summary>The scene.</summary>
@@ -405,10 +403,6 @@ public sealed partial class Simulator
 
         return false;
     }
-
-    /// <summary>True if a ball is at rest and no current force or moving object can wake it.</summary>
-    internal bool StaysAtRest(in BallState state) =>
-        state.Motion == MotionState.Rest && !(_mayWake && (_world.FastestMover > 0 || _hasOwnForces || Scene.Air.WindField is not null));
 
     /// <inheritdoc cref="Stepper.RestsAt"/>
     internal bool RestsAt(in BallState state) => _stepper.RestsAt(in state);

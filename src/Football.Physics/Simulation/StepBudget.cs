@@ -7,10 +7,10 @@ internal struct StepBudget
     /// <summary>Pieces so far.</summary>
     public int Pieces;
 
-    /// <summary>Evaluations of the forces so far.</summary>
+    /// <summary>Evaluations of the forces in the earlier calls.</summary>
     public long Evaluations;
 
-    /// <summary>Events so far.</summary>
+    /// <summary>Events in the earlier calls.</summary>
     public int Events;
 
     /// <summary>Splits at the jump in the drag law so far.</summary>
@@ -58,10 +58,10 @@ internal struct StepBudget
     /// <summary>Hits by moving objects so far.</summary>
     public int Hits;
 
-    /// <summary>The speed of the ball on arrival, m/s.</summary>
+    /// <summary>The speed of the ball at the start of the step, or after a later impact with another ball, m/s.</summary>
     public double Arrival;
 
-    /// <summary>The speed that the fastest mover that hit the ball gives it, m/s.</summary>
+    /// <summary>The speed that the fastest mover that has hit the ball in this step gives it, (1 + e) |V|, m/s.</summary>
     public double Fastest;
 
     /// <summary>Pieces that were shorter than the budget allows for all, to follow custom forces.</summary>

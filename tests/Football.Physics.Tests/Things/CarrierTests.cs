@@ -244,6 +244,42 @@ public sealed class CarrierTests
         }
     }
 
+    /// <summary>A look-ahead records the path of a ball at rest that its carrier moves, and zones see it.</summary>
+    [Theory]
+    [InlineData(Carrier.Obstacle)]
+    [InlineData(Carrier.Body)]
+    [InlineData(Carrier.Engine)]
+    public void A_look_ahead_follows_a_ball_at_rest_on_a_turntable(Carrier kind)
+    {
+        const double From = 0.3;
+        var turn = new Vector3d(0, 0.5, 0);
+        SurfaceMaterial surface = s_rough with { RollingResistance = 0.07 };
+        Scene scene = Still(2.0 / 3) with { Zones = [new Zone { Of = ZonePart.Center, Shape = new BoxShape(new Vector3d(0, 0, -5), new Vector3d(5, 5, 5)) }] };
+        PosedCollider? table = null;
+        if (kind == Carrier.Obstacle)
+        {
+            scene = scene with { Obstacles = [new Obstacle { Shape = s_slab, Surface = surface, Spin = turn }] };
+        }
+        else
+        {
+            table = PosedCollider.In(ref scene, s_slab, surface, kind == Carrier.Engine);
+            table.MoveTo(default, Quaterniond.Identity, default, turn, 0);
+        }
+
+        var simulator = new Simulator(scene);
+        BallState state = simulator.Launch(new Vector3d(From, Radius, 0.1), Vector3d.Cross(turn, new Vector3d(From, 0, 0.1)), turn);
+        simulator.Step(ref state, Frame, new StepLog());
+        Assert.Equal(MotionState.Rest, state.Motion);
+        var path = new Trajectory(256);
+        simulator.LookAhead(in state, new LookAheadRequest { Duration = 2, StopAt = StopAt.Time }, path);
+        foreach (double after in (double[])[0.1, 1, 1.9])
+        {
+            Near(Quaterniond.FromAxisAngle(Vector3d.Up, 0.5 * after).Rotate(state.Position), path.PositionAt(state.Time + after), 1e-6);
+        }
+
+        Assert.Single(Enumerable.Range(0, path.Events.Count), i => path.Events[i].Kind == BallEventKind.EnterZone);
+    }
+
     private static Scene Still(double inertia) => new()
     {
         Ball = BallProperties.Tunnel with { InertiaFactor = inertia },
