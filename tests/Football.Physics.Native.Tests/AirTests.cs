@@ -1,4 +1,5 @@
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -7,9 +8,7 @@ public sealed unsafe class AirTests
 {
     private const int Count = 50;
     private static readonly delegate* unmanaged<NativeScene*, long, double*, double*, double*, double, double*, double*, double*, double*, NativeStatus> s_air = &Exports.AirMany;
-    private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_create = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_free = &Exports.SceneFree;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     [Fact]
     public void It_has_the_bits_of_Aerodynamics()
@@ -70,17 +69,5 @@ public sealed unsafe class AirTests
 
     private static Vector3d At(double* rows, int i) => new(rows[3 * i], rows[(3 * i) + 1], rows[(3 * i) + 2]);
 
-    private static string Error() => System.Runtime.InteropServices.Marshal.PtrToStringUTF8((nint)s_error())!;
-
-    private static NativeScene* Scene()
-    {
-        byte[] text = Encoding.UTF8.GetBytes("""{"ball": {"type": "jabulani"}, "air": {"wind": [2, 0, 1]}, "forces": {"knuckleSeed": 4}}""");
-        NativeScene* scene;
-        fixed (byte* at = text)
-        {
-            Assert.True(s_create(at, text.Length, &scene) == NativeStatus.Ok, Error());
-        }
-
-        return scene;
-    }
+    private static NativeScene* Scene() => SceneCalls.Scene("""{"ball": {"type": "jabulani"}, "air": {"wind": [2, 0, 1]}, "forces": {"knuckleSeed": 4}}""");
 }

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -23,7 +24,6 @@ public sealed unsafe class CallTests
     private static readonly delegate* unmanaged<NativeState*, byte*, NativeStatus> s_write = &Exports.SnapshotWrite;
     private static readonly delegate* unmanaged<byte*, NativeState*, NativeStatus> s_readBytes = &Exports.SnapshotRead;
     private static readonly delegate* unmanaged<int, int, int, int, NativeStatus> s_check = &Exports.CheckAbi;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
     private static readonly delegate* unmanaged<byte*> s_version = &Exports.Version;
     private static readonly delegate* unmanaged<NativeScene*, NativeEvent*, double> s_added = &Exports.AddedEnergy;
     private static readonly delegate* unmanaged<NativeState*, ulong> s_hash = &Exports.Hash;
@@ -400,13 +400,6 @@ public sealed unsafe class CallTests
         }
     }
 
-    private static NativeScene* Scene(string json)
-    {
-        NativeScene* scene;
-        Assert.Equal((NativeStatus.Ok, json), (Create(json, &scene), json));
-        return scene;
-    }
-
     private static NativeState Launched(NativeScene* scene)
     {
         NativeState state;
@@ -414,8 +407,6 @@ public sealed unsafe class CallTests
         Assert.Equal(NativeStatus.Ok, s_launch(scene, numbers, numbers + 3, numbers + 6, &state));
         return state;
     }
-
-    private static string Error() => Marshal.PtrToStringUTF8((nint)s_error())!;
 
     private static byte[] Bytes(NativeState state) => new ReadOnlySpan<byte>(&state, sizeof(NativeState)).ToArray();
 }

@@ -1,4 +1,5 @@
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -9,12 +10,10 @@ public sealed unsafe class ForcesTests
         {"gravity": [2, -9.6, 0], "obstacles": [{"name": "board", "shape": "box", "center": [1, 0.5, 0], "halfSize": [0.1, 0.5, 40]}], "nets": [{"center": [0, 2, -12], "normal": [0, 0, 1], "along": [1, 0, 0], "halfSize": [4, 2]}]}
         """;
 
-    private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_create = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_free = &Exports.SceneFree;
     private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, NativeState*, NativeStatus> s_launch = &Exports.Launch;
     private static readonly delegate* unmanaged<NativeScene*, NativeState*, double, NativeEvent*, int, int*, NativeStatus> s_step = &Exports.Step;
     private static readonly delegate* unmanaged<NativeScene*, NativeState*, double, NativeForcesResult*, NativeContactForce*, int, int*, NativeStatus> s_forces = &Exports.Forces;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     /// <summary>A kick into the net, a roll along the board, a slide to the board, and a ball that falls onto the ground.</summary>
     [Theory]
@@ -95,18 +94,5 @@ public sealed unsafe class ForcesTests
         Assert.Equal(NativeStatus.Argument, s_forces(scene, &ball, 0, &forces, null, 0, null));
         Assert.StartsWith("dt is 0", Error());
         Assert.Equal(NativeStatus.Ok, s_free(scene));
-    }
-
-    private static string Error() => System.Runtime.InteropServices.Marshal.PtrToStringUTF8((nint)s_error())!;
-
-    private static NativeScene* Scene(string json)
-    {
-        NativeScene* scene;
-        fixed (byte* at = Encoding.UTF8.GetBytes(json))
-        {
-            Assert.True(s_create(at, Encoding.UTF8.GetByteCount(json), &scene) == NativeStatus.Ok, Error());
-        }
-
-        return scene;
     }
 }

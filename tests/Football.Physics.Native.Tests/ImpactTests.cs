@@ -1,16 +1,15 @@
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
 /// <summary>The outputs of impacts in C, against the library itself.</summary>
 public sealed unsafe class ImpactTests
 {
-    private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_create = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_free = &Exports.SceneFree;
     private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, NativeState*, NativeStatus> s_launch = &Exports.Launch;
     private static readonly delegate* unmanaged<NativeScene*, NativeState*, double, NativeEvent*, int, int*, NativeStatus> s_step = &Exports.Step;
     private static readonly delegate* unmanaged<NativeScene*, NativeEvent*, NativeImpactResult*, NativeStatus> s_impact = &Exports.Impact;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     [Fact]
     public void An_event_of_a_stationary_surface_has_the_outputs_of_the_library()
@@ -47,18 +46,5 @@ public sealed unsafe class ImpactTests
         Assert.Equal(NativeStatus.Argument, s_impact(scene, events, &impact));
         Assert.StartsWith("event.thing is 99", Error());
         Assert.Equal(NativeStatus.Ok, s_free(scene));
-    }
-
-    private static string Error() => System.Runtime.InteropServices.Marshal.PtrToStringUTF8((nint)s_error())!;
-
-    private static NativeScene* Scene(string json)
-    {
-        NativeScene* scene;
-        fixed (byte* at = Encoding.UTF8.GetBytes(json))
-        {
-            Assert.True(s_create(at, Encoding.UTF8.GetByteCount(json), &scene) == NativeStatus.Ok, Error());
-        }
-
-        return scene;
     }
 }

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -8,7 +9,6 @@ public sealed unsafe class InterceptionTests
 {
     private const string Goal = """{"goals": [{"center": [0, 0, -20], "facing": [0, 0, 1]}]}""";
 
-    private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_create = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_free = &Exports.SceneFree;
     private static readonly delegate* unmanaged<NativeScene*, double*, double*, double*, NativeState*, NativeStatus> s_launch = &Exports.Launch;
     private static readonly delegate* unmanaged<NativePlayer*, NativeStatus> s_default = &Exports.PlayerDefault;
@@ -24,7 +24,6 @@ public sealed unsafe class InterceptionTests
 
     private static readonly delegate* unmanaged<
         NativeScene*, double*, double*, double*, long, byte*, long, NativePiece*, int, int*, NativeFitMatchResult*, NativeScene**, NativeWatch*, NativeStatus> s_fitMatchWatched = &Exports.FitMatchWatched;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     [Fact]
     public void Players_reach_the_ball_as_in_CSharp()
@@ -340,22 +339,8 @@ public sealed unsafe class InterceptionTests
         return state;
     }
 
-    private static NativeScene* Scene(string json)
-    {
-        byte[] text = Encoding.UTF8.GetBytes(json);
-        NativeScene* scene;
-        fixed (byte* at = text)
-        {
-            Assert.Equal(NativeStatus.Ok, s_create(at, text.Length, &scene));
-        }
-
-        return scene;
-    }
-
     private static Vector3d At(double* v) => new(v[0], v[1], v[2]);
 
     private static void Refused(string sentence, NativeStatus status) =>
         Assert.Equal((NativeStatus.Argument, sentence), (status, Error()[..Math.Min(sentence.Length, Error().Length)]));
-
-    private static string Error() => Marshal.PtrToStringUTF8((nint)s_error())!;
 }

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -24,7 +25,6 @@ public sealed unsafe class MatchBallsTests
     private static readonly delegate* unmanaged<NativeMatch*, CByte*, long, NativeStatus> s_restore = &Exports.MatchRestore;
     private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_createScene = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_freeScene = &Exports.SceneFree;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     private static readonly BallProperties[] s_kinds = [BallProperties.BeachBall, BallProperties.Modern, BallProperties.Modern with { Mass = 0.8 }];
 
@@ -169,6 +169,4 @@ public sealed unsafe class MatchBallsTests
 
         return match;
     }
-
-    private static string Error() => Marshal.PtrToStringUTF8((nint)s_error())!;
 }

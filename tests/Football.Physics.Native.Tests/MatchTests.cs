@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using System.Text;
 using FootballPhysics.Package.Tests;
+using static FootballPhysics.Native.Tests.SceneCalls;
 
 namespace FootballPhysics.Native.Tests;
 
@@ -33,10 +34,8 @@ public sealed unsafe class MatchTests
     private static readonly delegate* unmanaged<byte*, long, CByte*, long, NativeMatch**, NativeStatus> s_replay = &Exports.MatchReplay;
     private static readonly delegate* unmanaged<NativeMatch*, long, NativeStatus> s_seek = &Exports.MatchSeek;
     private static readonly delegate* unmanaged<NativeMatch*, long*, NativeStatus> s_verify = &Exports.MatchVerify;
-    private static readonly delegate* unmanaged<byte*, long, NativeScene**, NativeStatus> s_createScene = &Exports.SceneCreate;
     private static readonly delegate* unmanaged<NativeScene*, NativeStatus> s_freeScene = &Exports.SceneFree;
     private static readonly delegate* unmanaged<NativeScene*, NativeState*, NativeBall*, NativeStatus> s_read = &Exports.Read;
-    private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     /// <summary>Writes the checksum of the library.</summary>
     private static readonly Sealer s_seal = typeof(Scene).Assembly.GetType("FootballPhysics.Game.Crc32", throwOnError: true)!.GetMethod("Seal")!.CreateDelegate<Sealer>();
@@ -456,20 +455,6 @@ public sealed unsafe class MatchTests
         return match;
     }
 
-    private static NativeScene* Scene(string json)
-    {
-        byte[] text = Encoding.UTF8.GetBytes(json);
-        NativeScene* scene;
-        fixed (byte* at = text)
-        {
-            Assert.Equal(NativeStatus.Ok, s_createScene(at, text.Length, &scene));
-        }
-
-        return scene;
-    }
-
     private static void Refused(string sentence, NativeStatus status) =>
         Assert.Equal((NativeStatus.Argument, sentence), (status, Error()[..Math.Min(sentence.Length, Error().Length)]));
-
-    private static string Error() => Marshal.PtrToStringUTF8((nint)s_error())!;
 }
