@@ -9,7 +9,10 @@ artefacts() {
     version=$(cd "$3" && env -u NUGET_PACKAGES dotnet msbuild src/Football.Physics -restore -t:FindVersion -getProperty:Version)
     local here=(--here)
     [[ ${FOOTBALL_FULL:-} != 1 ]] || here=()
-    env -u NUGET_PACKAGES "$3/.ci/release" "$version" "$release" --work-tree "${here[@]}" --only "$1"
+    # .ci/run has built its tree with the analyzers. Without them, each project would be compiled again, and once more by the tests.
+    local analyzers=(RunAnalyzers=false)
+    [[ ${CI:-} != true || $3 != "$PWD" ]] || analyzers=(RunAnalyzers=)
+    env -u NUGET_PACKAGES "${analyzers[@]}" "$3/.ci/release" "$version" "$release" --work-tree "${here[@]}" --only "$1"
   fi
   release=$(cd "$release" && pwd)
   version=$(cd "$release" && ls | sed -nE "s/^(Football\.Physics\.Tool|Football\.Physics|football-physics-c|football-physics)[.-]([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)(\.nupkg|\.tgz|-linux-[a-z0-9]+\.tar\.gz)$/\2/p" | head -n 1)
