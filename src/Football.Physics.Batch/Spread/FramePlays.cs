@@ -40,6 +40,7 @@ internal sealed class FramePlays
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly List<FrameSpan> _aside = [];
     private readonly List<FrameSpan> _up = [];
+    private bool _hitsFrame;
     private BallState _near;
     private double _nearAside;
     private double _nearHeight;
@@ -102,12 +103,13 @@ internal sealed class FramePlays
             _simulator.Run(ref ball, ApproachStep, lead, StopAt.Time, _log);
         }
 
+        _hitsFrame = HitsFrame();
         bool goesIn = HasScored() || Play(ball, at.Time + Longest);
-        hitsFrame = HitsFrame();
+        hitsFrame = _hitsFrame;
         return goesIn;
     }
 
-    /// <summary>True if the ball of the last kick hit an object in the plane of the mouth.</summary>
+    /// <summary>True if the ball hit an object in the plane of the mouth in the last step.</summary>
     private bool HitsFrame()
     {
         foreach (ref readonly BallEvent happened in _log.Events.Span)
@@ -248,6 +250,7 @@ internal sealed class FramePlays
         {
             _log.Clear();
             _simulator.Step(ref ball, TimeStep, _log);
+            _hitsFrame |= HitsFrame();
             if (HasScored())
             {
                 return true;

@@ -50,7 +50,7 @@ public readonly struct GoalChanceResult
     /// <remarks>Set <see cref="GoalChanceRequest.AlwaysSimulate"/> to simulate kicks.</remarks>
     public double? Post { get; internal init; }
 
-    /// <summary>The probability of a ball that neither goes in nor hits the frame, 0 … 1; null if no kicks were simulated.</summary>
+    /// <summary>The probability of a ball that neither goes in nor hits the frame, 0 … 1; null if no kicks were simulated. Kicks that an obstacle stops are among them.</summary>
     public double? Wide => 1 - OnTarget - Post;
 
     /// <summary>Half the long axis of the one-standard-deviation ellipse, in m.</summary>

@@ -61,13 +61,17 @@ public sealed class ScatterTests
         var simulator = new Simulator(new Scene { Goals = [s_goal] });
         var random = new Random(7);
         int goals = 0;
+        int posts = 0;
         for (int i = 0; i < Kicks; i++)
         {
             (Vector3d velocity, Vector3d spin) = spread.Draw(random, aim.Velocity, aim.Spin);
             BallState ball = simulator.Launch(s_from, velocity, spin);
             var log = new StepLog();
             simulator.Run(ref ball, 0.02, 2, StopAt.Time, log);
-            goals += log.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
+            BallEvent[] events = log.Events.Span.ToArray();
+            bool isGoal = events.Any(item => item.Kind == BallEventKind.Goal);
+            goals += isGoal ? 1 : 0;
+            posts += !isGoal && events.Any(item => item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 && Math.Abs(item.Position.Z + 11) < 0.18) ? 1 : 0;
         }
 
         // Three standard errors of the played kicks, and of the flights.
@@ -80,6 +84,8 @@ public sealed class ScatterTests
         Assert.Equal(played, flown.Scores, 0.035);
         Assert.Equal(told.Scores, stands.Scores, 1e-12);
         Assert.InRange(played, 0.05, 0.95);
+        Assert.Equal((double)posts / Kicks, flown.Post!.Value, 0.035);
+        Assert.True(posts > 100);
     }
 
     [Fact]
