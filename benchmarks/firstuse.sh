@@ -16,7 +16,6 @@ cat > "$work/app/app.csproj" << END
   </PropertyGroup>
   <ItemGroup>
     <PackageReference Include="Football.Physics" Version="$version" />
-    <PackageReference Include="Football.Physics.Batch" Version="$version" />
     <Using Include="FootballPhysics;FootballPhysics.Aiming;FootballPhysics.Batch;FootballPhysics.Prediction" />
     <Compile Include="$table/Quick/FirstUseTable.cs;$table/Quick/Child.cs;$table/Quick/Text.cs" />
   </ItemGroup>

@@ -19,7 +19,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROJECTS = ["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
-# The library, and its parts in other packages: the path of a file begins with the name of the part.
+# The library, and its parts in other folders: the path of a file begins with the name of the part.
 PARTS = {"": "src/Football.Physics", "Batch": "src/Football.Physics.Batch", "Engines": "src/Football.Physics.Engines", "Thesis": "src/Football.Physics.Thesis", "Tracks": "src/Football.Physics.Tracks"}
 OTHERS = "FullyQualifiedName!~FootballPhysics.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
@@ -88,7 +88,9 @@ def main():
             path = work / part / file
             text = path.read_text()
             path.write_text(text.replace(m["old"], m["new"]))
-            build = run(["dotnet", "build", "-c", "Release", part, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
+            # A folder without a project is compiled into the library.
+            project = part if (work / part / (pathlib.Path(part).name + ".csproj")).exists() else PARTS[""]
+            build = run(["dotnet", "build", "-c", "Release", project, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
                          "--nologo", "-v", "q", "-o", str(work / "mutant")], work)
             path.write_text(text)
             if build.returncode != 0:

@@ -64,7 +64,7 @@ copy() {
 
 # --- the package
 
-parts=(Football.Physics Football.Physics.{Batch,Engines,Thesis,Tracks})
+parts=(Football.Physics Football.Physics.{Thesis,Tracks})
 blocks=$root/tests/blocks.py
 # page SECTION [N…]: runs the blocks of a section of a page exactly as printed, in a copy of the sources. pack_page: a block that packs, for which the SDK's own packages are in the usual cache.
 # Analyzers do not change the bytes; the build of the solution runs them.
@@ -182,12 +182,12 @@ manifest=$work/unity/package/package.json
 as_committed() { sed -i -e '/Url": /d' -e "s|^  \"version\": \"$version\",|$(grep '^  "version": ' samples/Unity/com.football.physics/package.json)|" "$1"; }
 as_committed "$manifest"
 diff -r -x '*.dll' -x '*.xml' samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
-for file in Football.Physics{,.Batch,.Engines}.{dll,xml}; do
+for file in Football.Physics.{dll,xml}; do
   cmp <(unzip -p "$feed/${file%.*}.$version.nupkg" "lib/netstandard2.1/$file") "$work/unity/package/Plugins/$file" > "$log" 2>&1 || fail "the package for Unity has another $file"
 done
 ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, and the assemblies of the .nupkg"
 
-# Its sources with its assemblies, as the engine compiles them, and a script that uses .Batch: from the archive, with the stand-ins for the engine, in a folder without the repository.
+# Its sources with its assemblies, as the engine compiles them, and a script that uses the namespace Batch: from the archive, with the stand-ins for the engine, in a folder without the repository.
 # shim FOLDER TARGET ASSEMBLY: copies a stand-in into the project. The build of the solution has compiled it.
 shim() {
   local file=$root/tests/EngineShims/$1/bin/Release/$2/$3.dll
@@ -229,7 +229,7 @@ cat > "$project/Game.csproj" <<'XML'
 XML
 build_project() { (cd "$1" && dotnet build -c Release); }
 quietly "the package for Unity in a project of its own" build_project "$project"
-ok "package for Unity, compiled from its archive alone with both samples, and a script that uses .Batch"
+ok "package for Unity, compiled from its archive alone with both samples, and a script that uses many balls"
 
 # --- the add-on for Godot
 
@@ -254,7 +254,7 @@ XML
 mkdir "$work/godot-cache"
 restore_and_build() { (cd "$project" && NUGET_PACKAGES=$work/godot-cache dotnet build -c Release); }
 quietly "the add-on for Godot in a project of its own" restore_and_build
-[[ -d $work/godot-cache/football.physics.engines/$version ]] || fail "the project for Godot did not restore the packages of the add-on"
+[[ -d $work/godot-cache/football.physics/$version ]] || fail "the project for Godot did not restore the packages of the add-on"
 ok "add-on for Godot, compiled from its archive alone; the project takes the packages from the add-on"
 
 # By git URL: a branch with the built package as its only content, cloned as Unity's package manager does. The address is one that only git is told.
@@ -290,14 +290,14 @@ consume() {
 }
 
 quietly "consumer" consume ready
-[[ $(uname -m) != x86_64 || -e $work/ready/runtimes/linux-x64/lib/net10.0/Football.Physics.Batch.dll ]] || fail "the consumer has no code compiled ahead of time"
+[[ $(uname -m) != x86_64 || -e $work/ready/runtimes/linux-x64/lib/net10.0/Football.Physics.dll ]] || fail "the consumer has no code compiled ahead of time"
 same "package on .NET, code compiled ahead of time" "$work/ready/consumer"
 more "package on .NET, such code alone" env DOTNET_TieredCompilation=0 "$work/ready/consumer"
 same "package on .NET, such code, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/ready/consumer"
 quietly "consumer of the net10.0 assembly" consume net10 -p:LibraryAsset=net10.0
 more "net10.0 assembly on .NET" "$work/net10/consumer"
 cp -R "$work/net10" "$work/net8"
-for part in Football.Physics{,.Batch}; do unzip -p "$feed/$part.$version.nupkg" "lib/net8.0/$part.dll" > "$work/net8/$part.dll"; done
+unzip -p "$package" lib/net8.0/Football.Physics.dll > "$work/net8/Football.Physics.dll"
 more "net8.0 assembly in the same program" "$work/net8/consumer"
 quietly "consumer of the netstandard2.1 assembly" consume netstandard -p:LibraryAsset=netstandard2.1
 same "netstandard2.1 assembly on .NET" "$work/netstandard/consumer"

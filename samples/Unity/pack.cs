@@ -29,15 +29,13 @@ if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0
     return 2;
 }
 
-foreach (string part in (string[])["Football.Physics", "Football.Physics.Batch", "Football.Physics.Engines"])
+const string Library = "Football.Physics";
+// Write to the error stream: the standard output contains only the path of the tarball.
+Console.Error.WriteLine($"Building {Library}");
+Run("dotnet", ["build", "-c", "Release", "-f", "netstandard2.1", Path.Combine(root, "src", Library), "-v", "q"]);
+foreach (string kind in (string[])["dll", "xml"])
 {
-    // Write to the error stream: the standard output contains only the path of the tarball.
-    Console.Error.WriteLine($"Building {part}");
-    Run("dotnet", ["build", "-c", "Release", "-f", "netstandard2.1", Path.Combine(root, "src", part), "-v", "q"]);
-    foreach (string kind in (string[])["dll", "xml"])
-    {
-        File.Copy(Path.Combine(root, "src", part, "bin/Release/netstandard2.1", $"{part}.{kind}"), Path.Combine(package, "Plugins", $"{part}.{kind}"), true);
-    }
+    File.Copy(Path.Combine(root, "src", Library, "bin/Release/netstandard2.1", $"{Library}.{kind}"), Path.Combine(package, "Plugins", $"{Library}.{kind}"), true);
 }
 
 string version = Run("dotnet", ["msbuild", Path.Combine(root, "src/Football.Physics"), "-t:FindVersion", "-getProperty:Version"]);

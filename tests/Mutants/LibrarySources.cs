@@ -12,8 +12,9 @@ internal static class LibrarySources
     /// <summary>The folder of the library.</summary>
     public static string Folder { get; } = Path.Combine(Root, "src/Football.Physics");
 
-    /// <summary>The files of the library, and the files that the build generates.</summary>
-    public static string[] Files { get; } = Directory.EnumerateFiles(Folder, "*.cs", SearchOption.AllDirectories)
+    /// <summary>The files of the library, with those of many balls and of engines, and the files that the build generates.</summary>
+    public static string[] Files { get; } = new[] { Folder, Folder + ".Batch", Folder + ".Engines" }
+        .SelectMany(folder => Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories))
         .Where(path => !path.Contains("/bin/", StringComparison.Ordinal) && !path.Contains("/Polyfills/", StringComparison.Ordinal)
             && (!path.Contains("/obj/", StringComparison.Ordinal) || Path.GetDirectoryName(path) == Path.Combine(Folder, "obj/Release/net10.0")))
         .Order(StringComparer.Ordinal)

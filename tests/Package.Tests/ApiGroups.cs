@@ -15,9 +15,9 @@ internal static partial class ApiGroups
         ("Which kick", ["Aiming"]),
         ("Step by step, and the methods", ["Simulation", "Integration", "State"]),
         ("Vectors and limits", ["Numerics"]),
-        ("Many at once: Football.Physics.Batch", ["Batch"]),
+        ("Many at once", ["Batch"]),
         ("From a track: Football.Physics.Tracks", ["Tracks"]),
-        ("In an engine: Football.Physics.Engines", ["Engines"]),
+        ("In an engine", ["Engines"]),
         ("The methods of the thesis: Football.Physics.Thesis", ["Thesis"]),
     ];
 

@@ -107,7 +107,7 @@ internal sealed partial class ApiReference
             ConstructorInfo constructor => Signature(constructor, "new " + Name(constructor.DeclaringType!)),
             PropertyInfo { Name: "EqualityContract" } => null,
             PropertyInfo property => Signature(property),
-            FieldInfo field => $"{(field.IsLiteral ? "const " : field.IsStatic ? "static " : "")}{Name(field.FieldType)} {field.Name}{(field.IsLiteral ? " = " + Value(field.GetRawConstantValue()) : "")}",
+            FieldInfo field => $"{(field.IsLiteral ? "const " : field.IsStatic ? "static " : "")}{Name(field.FieldType)} {field.Name}{(field.IsLiteral ? " = " + Value(field.FieldType, field.GetRawConstantValue()) : "")}",
             EventInfo happening => $"event {Name(happening.EventHandlerType!)} {happening.Name}",
             MethodInfo method when !method.IsSpecialName || method.Name.StartsWith("op_", StringComparison.Ordinal) => Signature(method, MethodName(method)),
             _ => null,
@@ -195,7 +195,7 @@ internal sealed partial class ApiReference
         string by = !parameter.ParameterType.IsByRef ? "" : parameter.IsOut ? "out " : parameter.IsIn ? "in " : "ref ";
         Type type = parameter.ParameterType.IsByRef ? parameter.ParameterType.GetElementType()! : parameter.ParameterType;
         string nullable = !type.IsValueType && s_nullability.Create(parameter).ReadState == NullabilityState.Nullable ? "?" : "";
-        return $"{by}{Name(type)}{nullable} {parameter.Name}{(parameter.HasDefaultValue ? " = " + Value(parameter.DefaultValue) : "")}";
+        return $"{by}{Name(type)}{nullable} {parameter.Name}{(parameter.HasDefaultValue ? " = " + Value(type, parameter.DefaultValue) : "")}";
     }
 
     private static string MethodName(MethodInfo method) =>
@@ -203,9 +203,10 @@ internal sealed partial class ApiReference
         : method.IsGenericMethod ? $"{method.Name}<{string.Join(", ", method.GetGenericArguments().Select(Name))}>"
         : method.Name;
 
-    private static string Value(object? value) => value switch
+    private static string Value(Type type, object? value) => value switch
     {
-        null => "null",
+        // Reflection has null for the default of a struct, which is not C#.
+        null => type.IsValueType && Nullable.GetUnderlyingType(type) is null ? "default" : "null",
         double number => number.ToString("R", CultureInfo.InvariantCulture),
         bool truth => truth ? "true" : "false",
         _ => Convert.ToString(value, CultureInfo.InvariantCulture)!,

@@ -265,7 +265,7 @@ public sealed class DocTests
         bool engine = kind is "csharp unity" or "csharp godot" or "csharp recipe";
         bool framework = kind is "csharp monogame" or "csharp raylib";
         return TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file)
-            || file is "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
+            || file is "Football.Physics.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
             || (framework && file is "Frameworks.dll")
             || (engine && (file.StartsWith("Football.Physics.", StringComparison.Ordinal) || file is "GodotSharp.dll" or "UnityEngine.dll"))
             || (kind == "csharp recipe" && file is "Netcode.dll"));

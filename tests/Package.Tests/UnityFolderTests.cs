@@ -20,7 +20,7 @@ public sealed partial class UnityFolderTests
     {
         string[] assets = [.. Directory.EnumerateFileSystemEntries(Full, "*", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(Full, path).Replace('\\', '/'))
             .Where(path => !path.EndsWith(".meta", StringComparison.Ordinal) && path != "Samples~" && !path.StartsWith("Documentation~", StringComparison.Ordinal)),
-            "Plugins/Football.Physics.dll", "Plugins/Football.Physics.xml", "Plugins/Football.Physics.Batch.dll", "Plugins/Football.Physics.Batch.xml", "Plugins/Football.Physics.Engines.dll", "Plugins/Football.Physics.Engines.xml"];
+            "Plugins/Football.Physics.dll", "Plugins/Football.Physics.xml"];
         string[] metas = [.. Directory.EnumerateFiles(Full, "*.meta", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(Full, path).Replace('\\', '/')[..^".meta".Length])];
         Assert.Equal(assets.Distinct().Order(StringComparer.Ordinal), metas.Order(StringComparer.Ordinal));
         string[] ids = [.. metas.Select(path => Id().Match(Repository.Text($"{Folder}/{path}.meta")).Groups[1].Value)];
@@ -55,7 +55,7 @@ public sealed partial class UnityFolderTests
         Assert.Equal("Editor", editor.GetProperty("includePlatforms")[0].GetString());
         foreach (JsonElement assembly in (JsonElement[])[editor, Definition("Runtime/Football.Physics.Unity.asmdef"), Definition("Tests/Runtime/Football.Physics.Unity.Tests.asmdef")])
         {
-            Assert.Equal(["Football.Physics.dll", "Football.Physics.Engines.dll"], assembly.GetProperty("precompiledReferences").EnumerateArray().Select(file => file.GetString()!).Take(2));
+            Assert.Equal("Football.Physics.dll", assembly.GetProperty("precompiledReferences")[0].GetString());
             Assert.All(assembly.GetProperty("references").EnumerateArray().Where(reference => reference.GetString() is not ("Unity.InputSystem" or "UnityEngine.TestRunner")), reference => Assert.True(File.Exists(Path.Combine(Full, "Runtime", reference.GetString() + ".asmdef"))));
         }
     }

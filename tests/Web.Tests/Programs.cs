@@ -16,7 +16,7 @@ internal static class Programs
         var compilation = CSharpCompilation.Create(
             "Copied" + Guid.NewGuid().ToString("N"),
             [CSharpSyntaxTree.ParseText(code), CSharpSyntaxTree.ParseText(Usings)],
-            TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file) || file is "Football.Physics.dll" or "Football.Physics.Engines.dll"),
+            TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file) || file is "Football.Physics.dll"),
             new CSharpCompilationOptions(OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable));
         using var bytes = new MemoryStream();
         var problems = compilation.Emit(bytes).Diagnostics.Where(found => found.Severity >= DiagnosticSeverity.Warning && found.Id != "CS1701").ToList();

@@ -44,7 +44,7 @@ internal static class ShotCode
     /// <summary>Returns a program for a shot at a goalkeeper of typical abilities.</summary>
     private static string WithKeeper(Scenario scenario, string scene, KeeperDive keeper) => $$"""
         using FootballPhysics;
-        using FootballPhysics.Engines;      // the keeper: package Football.Physics.Engines
+        using FootballPhysics.Engines;      // the keeper
 
         var goal = new Goal { Center = {{Of(keeper.Goal.Center)}}, Facing = {{Of(keeper.Goal.Facing)}} };
         var scene = {{scene}} with { Goals = [goal] };

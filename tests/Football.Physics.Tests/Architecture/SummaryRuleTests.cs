@@ -11,7 +11,7 @@ public sealed partial class SummaryRuleTests
     [Fact]
     public void Few_summaries_of_public_members_begin_as_an_answer_or_a_continuation()
     {
-        Type[] parts = [typeof(Simulator), typeof(BallBatch), typeof(NetBulges), typeof(ThesisAimer), typeof(TrackFit)];
+        Type[] parts = [typeof(Simulator), typeof(ThesisAimer), typeof(TrackFit)];
         string[] summaries =
         [
             .. from part in parts

@@ -73,7 +73,7 @@ public sealed class ChangedLawTests : IDisposable
             Write(file, RepositoryFiles.Text(file));
         }
 
-        foreach (string file in (string[])["src/Football.Physics/Football.Physics.csproj", "src/Football.Physics.Batch/Football.Physics.Batch.csproj", "src/Packaging/Package.props", "src/Packaging/Package.targets"])
+        foreach (string file in (string[])["src/Football.Physics/Football.Physics.csproj", "src/Packaging/Package.props", "src/Packaging/Package.targets"])
         {
             Write(file, Regex.Replace(RepositoryFiles.Text(file), "<Import Project=\"[^/\"]*\" />", "").Replace(
                 "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
@@ -139,6 +139,6 @@ public sealed class ChangedLawTests : IDisposable
         private readonly string _folder = Path.GetDirectoryName(assembly)!;
 
         protected override Assembly? Load(AssemblyName assemblyName) =>
-            assemblyName.Name == typeof(Scene).Assembly.GetName().Name || assemblyName.Name == typeof(BallBatch).Assembly.GetName().Name ? LoadFromAssemblyPath(Path.Combine(_folder, assemblyName.Name + ".dll")) : null;
+            assemblyName.Name == typeof(Scene).Assembly.GetName().Name ? LoadFromAssemblyPath(Path.Combine(_folder, assemblyName.Name + ".dll")) : null;
     }
 }
