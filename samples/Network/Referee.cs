@@ -101,7 +101,8 @@ public sealed class Referee(Match match)
         double radius = match.Runner.Simulator.Scene.Ball.Radius;
         double x = ball.X < 0 ? -1 : 1;
         double z = ball.Z < 0 ? -1 : 1;
-        if (Math.Abs(ball.Z) > Match.HalfLength + radius)
+        // The goal line is as deep as the posts, so a slow goal is a goal before the ball is out.
+        if (Math.Abs(ball.Z) > Match.HalfLength + match.Runner.Simulator.Scene.Goals[0].PostRadius + radius)
         {
             // The team that defends this goal line takes a goal kick, unless it touched the ball last.
             int defends = z < 0 ? 1 : 0;
