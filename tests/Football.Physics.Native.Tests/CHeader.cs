@@ -40,7 +40,7 @@ internal sealed partial class CHeader
 
     private CHeader()
     {
-        Assembly[] assemblies = [typeof(Exports).Assembly, typeof(Scene).Assembly, typeof(GoalChance).Assembly, typeof(TrackFit).Assembly];
+        Assembly[] assemblies = [typeof(Exports).Assembly, typeof(Scene).Assembly, typeof(TrackFit).Assembly];
         _documentation = assemblies
             .SelectMany(assembly => XDocument.Load(Path.ChangeExtension(assembly.Location, ".xml")).Descendants("member"))
             .ToDictionary(member => member.Attribute("name")!.Value);

@@ -38,7 +38,7 @@ public sealed class Window : IAsyncDisposable
         return this;
     }
 
-    public Task Until(string condition) => Page.WaitForFunctionAsync($"() => {condition}", null, new PageWaitForFunctionOptions { Timeout = Patience });
+    public Task Until(string condition, float patience = Patience) => Page.WaitForFunctionAsync($"() => {condition}", null, new PageWaitForFunctionOptions { Timeout = patience });
 
     /// <summary>What the page says of itself under a name; null for nothing.</summary>
     public Task<string?> Said(string name) => Page.EvaluateAsync<string?>($"() => document.body.dataset.{name} ?? null");
