@@ -49,7 +49,7 @@ public sealed class FollowTests
             if (line.GetProperty("kick") is { ValueKind: JsonValueKind.Object } kick)
             {
                 double time = kick.GetProperty("time").GetDouble();
-                Assert.InRange(kick.GetProperty("probability").GetDouble(), 0.99, 1);
+                Assert.InRange(kick.GetProperty("probability").GetDouble(), 0.999, 1);
                 if (kicks.Count == 0 || time > kicks[^1] + 0.2)
                 {
                     kicks.Add(time);

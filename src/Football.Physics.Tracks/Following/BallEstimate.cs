@@ -34,7 +34,7 @@ public sealed class BallEstimate
     /// <summary>The standard deviation of <see cref="KickTime"/>, in s.</summary>
     public double KickDeviation { get; internal set; }
 
-    /// <summary>True if the filter believes in the kick: the probability is at least 0.99.</summary>
+    /// <summary>True if the filter believes in the kick: the probability is at least 0.999.</summary>
     public bool HasKick => KickProbability >= Belief;
 
     /// <summary>True if the last point does not fit the estimated motion.</summary>
@@ -45,7 +45,7 @@ public sealed class BallEstimate
     public bool IsHeld { get; internal set; }
 
     /// <summary>The probability from which the filter believes in a kick.</summary>
-    internal const double Belief = 0.99;
+    internal const double Belief = 0.999;
 
     /// <summary>The covariance of position, velocity and spin, row by row.</summary>
     internal double[] Covariances { get; } = new double[Components * Components];

@@ -6,7 +6,7 @@ namespace FootballPhysics.Tracks;
 /// <content>The filter as bytes.</content>
 public sealed partial class BallFilter
 {
-    private const ulong Magic = 0x0132_7265_746C_6946;
+    private const ulong Magic = 0x0133_7265_746C_6946;
 
     /// <summary>The bytes before the content: the magic number, the length, the hash of scene and settings, and the hash of the content.</summary>
     private const int Header = 32;

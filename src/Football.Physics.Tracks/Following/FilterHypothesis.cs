@@ -7,7 +7,7 @@ namespace FootballPhysics.Tracks;
 /// of a least-squares fit, which each point updates as a Kalman filter of the parameters does. If the estimate moves away from the rays, <see cref="Fit"/>
 /// simulates them again (a Gauss–Newton step).
 /// </remarks>
-internal sealed class FilterHypothesis
+internal sealed partial class FilterHypothesis
 {
     /// <summary>The number of parameters of a motion, and the largest number, with the time of a kick.</summary>
     public const int Motion = 9;
@@ -116,79 +116,6 @@ internal sealed class FilterHypothesis
 
     public ref readonly BallState Ray => ref _rays.States[0];
 
-    /// <summary>Starts without a kick. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
-    public void Start(double time, double prefix, double kickTime, double kickDeviation, FilterStart kind)
-    {
-        Kind = kind;
-        _rays.Count = Motion;
-        StartTime = time;
-        EndOfKick = time;
-        IncludesStart = false;
-        SkipsFirst = false;
-        Part = 0;
-        Prefix = prefix;
-        KickTime = kickTime;
-        KickDeviation = kickDeviation;
-        IsKept = false;
-        _rays.Begin();
-        Array.Copy(Mean, Values, Most);
-        Array.Copy(Prior, Spread, Prior.Length);
-    }
-
-    /// <summary>Starts with a kick between two times. The caller has set <see cref="Mean"/> and <see cref="Prior"/>.</summary>
-    public void Start(in BallState before, double end, double prefix, in Vector3d velocity, FilterStart kind)
-    {
-        Start(before.Time, prefix, 0, 0, kind);
-        _rays.Count = Most;
-        EndOfKick = end;
-        _kick.Begin(in before);
-        Values[3] = velocity.X;
-        Values[4] = velocity.Y;
-        Values[5] = velocity.Z;
-    }
-
-    /// <summary>Sets the motion at which the first fit starts.</summary>
-    public void Guess(in Vector3d position, in Vector3d velocity, in Vector3d spin)
-    {
-        (Values[0], Values[1], Values[2]) = (position.X, position.Y, position.Z);
-        (Values[3], Values[4], Values[5]) = (velocity.X, velocity.Y, velocity.Z);
-        (Values[6], Values[7], Values[8]) = (spin.X, spin.Y, spin.Z);
-    }
-
-    public void Transfer(ref FilterStream stream)
-    {
-        _rays.Count = stream.Whole(Count);
-        _rays.Begin();
-        Kind = (FilterStart)stream.Whole((int)Kind);
-        Part = stream.Whole(Part);
-        StartTime = stream.Number(StartTime);
-        EndOfKick = stream.Number(EndOfKick);
-        IncludesStart = stream.Flag(IncludesStart);
-        SkipsFirst = stream.Flag(SkipsFirst);
-        RejectsLast = stream.Flag(RejectsLast);
-        IsStale = stream.Flag(IsStale);
-        Evidence = stream.Number(Evidence);
-        Prefix = stream.Number(Prefix);
-        Used = stream.Whole(Used);
-        Points = stream.Whole(Points);
-        RejectedInRow = stream.Whole(RejectedInRow);
-        KickTime = stream.Number(KickTime);
-        KickDeviation = stream.Number(KickDeviation);
-        stream.Numbers(Mean);
-        stream.Numbers(Prior);
-        stream.Numbers(Base);
-        stream.Numbers(Values);
-        stream.Numbers(Spread);
-        stream.Numbers(_rays.Widths);
-        stream.Numbers(_leastWidths);
-        stream.Number(ref _fitWork);
-        stream.Flag(ref _lies);
-        stream.Plain<bool>(_rays.IsFixed);
-        stream.Plain<BallState>(_rays.States);
-        _kick.Transfer(ref stream);
-        History.Transfer(ref stream);
-    }
-
     /// <summary>True if the hypothesis must not be cut: it is the best one.</summary>
     public bool IsKept
     {
@@ -206,10 +133,12 @@ internal sealed class FilterHypothesis
     public bool MayFit => _model.MayFit && MayEndFit;
 
     /// <summary>Fits the motion to the points since the start.</summary>
-    public void Fit(FilterPoints points, int iterations)
+    /// <returns>True if the rays suit the estimate, so that another iteration would hardly change it, or if the hypothesis is cut.</returns>
+    public bool Fit(FilterPoints points, int iterations)
     {
+        bool ends = false;
         IsStale = false;
-        for (int i = 0; i < iterations && (i == 0 || MayFit); i++)
+        for (int i = 0; i < iterations && !ends && (i == 0 || MayFit); i++)
         {
             double before = _model.Work;
             Linearize();
@@ -235,13 +164,11 @@ internal sealed class FilterHypothesis
             _rays.EndStride();
             End();
             _fitWork = _model.Work - before;
-            if (IsCut || !IsFar(1))
-            {
-                break;
-            }
+            ends = IsCut || !IsFar(1);
         }
 
         SetKick();
+        return ends;
     }
 
     /// <summary>Includes the next point.</summary>

@@ -15,6 +15,9 @@ internal sealed class FilterKick(FilterModel model)
         _time = double.NaN;
     }
 
+    /// <summary>Starts from the state before another kick.</summary>
+    public void Begin(FilterKick other) => Begin(in other._before);
+
     /// <summary>Returns the position of the ball at a time of the kick, in m.</summary>
     public Vector3d PositionAt(double time)
     {

@@ -3,7 +3,7 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Tracks;
 
 /// <summary>The hypotheses of a filter: adds, weighs and drops them.</summary>
-internal sealed class FilterSearch
+internal sealed partial class FilterSearch
 {
     /// <summary>The number of hypotheses that are kept, also if the last point has no height, and the number of slots: one more receives a candidate.</summary>
     private const int Kept = 7;
@@ -36,7 +36,9 @@ internal sealed class FilterSearch
 
     private readonly FilterModel _model;
     private readonly FilterPoints _points;
-    private readonly FilterHypothesis[] _slots = new FilterHypothesis[Slots];
+
+    /// <summary>The hypotheses, a candidate, free ones, and at the end that of a second fit.</summary>
+    private readonly FilterHypothesis[] _slots = new FilterHypothesis[Slots + 1];
     private readonly FilterPriors _priors;
     private readonly FilterGain _gain = new();
     private readonly double[] _slopes = new double[FilterHistory.Room];
@@ -46,7 +48,7 @@ internal sealed class FilterSearch
         _model = model;
         _points = points;
         _priors = new FilterPriors(model.Settings);
-        for (int i = 0; i < Slots; i++)
+        for (int i = 0; i <= Slots; i++)
         {
             _slots[i] = new FilterHypothesis(model, i);
         }
@@ -80,6 +82,7 @@ internal sealed class FilterSearch
     public void Begin(in Vector3d guess)
     {
         Count = 0;
+        _twinLeft = 0;
         StartAt(in _points[_points.Count - 1], in guess, 0);
     }
 
@@ -98,6 +101,7 @@ internal sealed class FilterSearch
         }
 
         Drop();
+        FitTwin();
         Branch(Best);
         Drop();
     }
@@ -142,6 +146,8 @@ internal sealed class FilterSearch
     /// <summary>Condenses the points before the history of hypotheses that are older than a time, as far as the work of the update suffices.</summary>
     public void Condense(double time)
     {
+        // The points of a second fit are forgotten, too.
+        _twinLeft = _slots[Slots].StartTime < time ? 0 : _twinLeft;
         for (int i = 0; i < Count; i++)
         {
             FilterHypothesis old = _slots[i];
@@ -160,7 +166,7 @@ internal sealed class FilterSearch
     {
         get
         {
-            double time = double.PositiveInfinity;
+            double time = _twinLeft > 0 ? _slots[Slots].StartTime : double.PositiveInfinity;
             for (int i = 0; i < Count; i++)
             {
                 time = Math.Min(time, _slots[i].StartTime);
@@ -173,7 +179,7 @@ internal sealed class FilterSearch
     public void Transfer(ref FilterStream stream)
     {
         Count = stream.Whole(Count);
-        for (int i = 0; i < Slots; i++)
+        for (int i = 0; i <= Slots; i++)
         {
             // The slots keep their order: it decides between equal evidence.
             int slot = stream.Whole(_slots[i].Slot);
@@ -181,9 +187,13 @@ internal sealed class FilterSearch
             (_slots[i], _slots[at]) = (_slots[at], _slots[i]);
         }
 
-        for (int i = 0; i < Count; i++)
+        stream.Whole(ref _twinLeft);
+        for (int i = 0; i <= Slots; i++)
         {
-            _slots[i].Transfer(ref stream);
+            if (i < Count || (i == Slots && _twinLeft > 0))
+            {
+                _slots[i].Transfer(ref stream);
+            }
         }
     }
 
@@ -253,6 +263,9 @@ internal sealed class FilterSearch
         {
             Kick(best, likely);
         }
+
+        BeginTwin(likely > 0 || best.RejectsLast ? best : Oldest);
+        FitTwin();
     }
 
     /// <summary>Adds a kick just before a moment of a hypothesis.</summary>
@@ -331,80 +344,6 @@ internal sealed class FilterSearch
         return true;
     }
 
-    /// <summary>Guesses the velocity after a kick: the median of the slopes to the points since then, corrected for gravity.</summary>
-    private Vector3d Velocity(in BallState from, FilterHypothesis best, int at, out bool hasHeight)
-    {
-        hasHeight = true;
-        int first = _points.After(best.History[at - 1].Time);
-        int count = Math.Min(_slopes.Length, _points.Count - first);
-        if (count == 0)
-        {
-            return from.Velocity;
-        }
-
-        hasHeight = false;
-        for (int i = first; i < first + count; i++)
-        {
-            hasHeight |= _points[i].Kind != FilterPointKind.OnPlan;
-            if (_points[i].Kind == FilterPointKind.Pixel)
-            {
-                return from.Velocity + _gain.Change;
-            }
-        }
-
-        double fall = 0.5 * _model.Simulator.Scene.Gravity;
-        Span<double> slope = stackalloc double[3];
-        for (int axis = 0; axis < 3; axis++)
-        {
-            // Of two slopes, the last is the more accurate one.
-            int used = Math.Min(count, count < 3 ? 1 : count);
-            for (int i = 0; i < used; i++)
-            {
-                ref FilterPoint point = ref _points[first + count - 1 - i];
-                double time = point.Time - from.Time;
-                _slopes[i] = ((point.Value.Along(axis) - from.Position.Along(axis)) / time) + (axis == 1 ? fall * time : 0);
-            }
-
-            Array.Sort(_slopes, 0, used);
-            slope[axis] = used % 2 == 1 ? _slopes[used / 2] : 0.5 * (_slopes[used / 2] + _slopes[(used / 2) - 1]);
-        }
-
-        return new Vector3d(slope[0], slope[1], slope[2]);
-    }
-
-    /// <summary>Adds a start at a point, without a path before it.</summary>
-    private void StartAt(in FilterPoint point, in Vector3d guess, double prefix)
-    {
-        // Rolling, in the air, or sliding.
-        bool mayLie = _model.Touches(guess.Y - (4 * point.Deviation)) || point.Kind != FilterPointKind.Position;
-        for (FilterStart kind = FilterStart.Free; kind <= (mayLie ? FilterStart.Rolling : FilterStart.Free); kind++)
-        {
-            if (kind == FilterStart.Sliding)
-            {
-                continue;
-            }
-
-            bool isSplit = kind == FilterStart.Free && point.Kind == FilterPointKind.OnPlan;
-            UpwardParts parts = isSplit ? UpwardParts.AtStart : UpwardParts.None;
-            for (int part = 0; part < parts.Count; part++)
-            {
-                FilterHypothesis start = _slots[Count];
-                _priors.SetStart(start, in point, in guess, kind);
-                if (isSplit)
-                {
-                    _priors.SetHeight(start);
-                    _priors.SetUpward(start, parts, part);
-                }
-
-                start.Start(point.Time, prefix + (kind == FilterStart.Free ? parts.LogShare : LogOnGround), double.NegativeInfinity, 0, kind);
-                start.Part = part;
-                start.IncludesStart = true;
-                start.Fit(_points, Iterations);
-                Keep();
-            }
-        }
-    }
-
     /// <summary>Keeps the candidate of the last slot if it is probable; if there is no room, in exchange for the least probable one.</summary>
     private void Keep()
     {
@@ -427,8 +366,21 @@ internal sealed class FilterSearch
         }
     }
 
+    /// <summary>Drops improbable hypotheses, and of those that have converged to the same motion all but the most probable one.</summary>
     private void Drop()
     {
+        for (int i = Count - 1; i > 0; i--)
+        {
+            for (int j = 0; j < i; j++)
+            {
+                if (_slots[i].StartsLike(_slots[j]) && _slots[i].AgreesWith(_slots[j]))
+                {
+                    Remove(_slots[i].Evidence > _slots[j].Evidence ? j : i);
+                    break;
+                }
+            }
+        }
+
         double least = Best.Evidence - Improbable;
         for (int i = Count - 1; i >= 0; i--)
         {
