@@ -139,9 +139,8 @@ def unity(checks: Checks, path: pathlib.Path) -> None:
     for key in ("documentationUrl", "changelogUrl", "licensesUrl"):
         checks.that(manifest.get(key, "").startswith("https://"), name, f"no {key}. Pass --address URL")
     checks.that(len(manifest["samples"]) == 2 and all(any(file.startswith(sample["path"] + "/") for file in files) for sample in manifest["samples"]), name, "a sample is missing")
-    for part in ("", ".Batch", ".Engines"):
-        for kind in ("dll", "xml"):
-            checks.that(f"Plugins/Football.Physics{part}.{kind}" in files, name, f"no Plugins/Football.Physics{part}.{kind}")
+    for kind in ("dll", "xml"):
+        checks.that(f"Plugins/Football.Physics.{kind}" in files, name, f"no Plugins/Football.Physics.{kind}")
     # The engine writes no .meta file into a package from a registry, and ignores an asset without one. It ignores folders that end with a tilde.
     bare = [file for file in files if not file.endswith(".meta") and not file.startswith("Documentation~/") and f"{file}.meta" not in files]
     checks.that(not bare, name, f"no .meta file for {bare[:3]}")
@@ -158,8 +157,7 @@ def godot(checks: Checks, path: pathlib.Path, addon: str, config: str) -> None:
             plugin = configparser.ConfigParser()
             plugin.read_string(text)
             checks.that(plugin["plugin"]["version"].strip('"') == checks.version, name, f"the version is {plugin['plugin']['version']}")
-            for part in ("", ".Batch", ".Engines"):
-                checks.that(f"addons/{addon}/packages/Football.Physics{part}.{checks.version}.nupkg" in files, name, f"no package Football.Physics{part}")
+            checks.that(f"addons/{addon}/packages/Football.Physics.{checks.version}.nupkg" in files, name, "no package Football.Physics")
         else:
             system = path.stem.rsplit("-", 2)[1:]
             named = re.findall(r"res://(addons/football/bin/[^\"]*)", text)
