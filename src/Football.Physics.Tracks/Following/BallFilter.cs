@@ -45,7 +45,7 @@ public sealed partial class BallFilter
 
     /// <summary>The index of the spin, and the factor of its standard deviation, by which 97 % of true spins are within three (lab follow).</summary>
     private const int Spin = 6;
-    private const double SpinFactor = 1.25;
+    private const double SpinFactor = 1.35;
 
     private readonly FilterModel _model;
     private readonly FilterPoints _points = new(Room);
