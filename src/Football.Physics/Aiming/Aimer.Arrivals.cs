@@ -7,9 +7,13 @@ public sealed partial class Aimer
 {
     /// <summary>The maximum number of rounds in the search for the kick's speed or time; they resolve the arrival speed to 1 µm/s.</summary>
     private const int ArrivalRounds = 40;
-    private const int RollSpeeds = 8;
+
+    /// <summary>The number of rolls that are tried from the fastest one downwards, and the ratio of their speeds.</summary>
+    private const int RollSpeeds = 16;
+    private const double SlowerRoll = 0.8;
+
     private const double ArrivalStep = 0.02;
-    private const double ArrivalCloseness = 1e-9;
+    private const double ArrivalCloseness = 1e-6;
 
     /// <summary>The maximum error of the arrival speed, in m/s.</summary>
     internal const double LargestArrivalError = 0.01;
@@ -46,19 +50,20 @@ public sealed partial class Aimer
     /// <param name="request">The request.</param>
     /// <param name="time">The time of flight, in s.</param>
     /// <param name="isBetween">True if the time is between two times that have a kick. A kick then exists, and finer steps find it.</param>
+    /// <param name="near">The hit at another time, to start from if the closed form is too far off; its time is 0 if there is none.</param>
     /// <param name="kick">The kick.</param>
     /// <param name="arrival">The arrival speed, in m/s.</param>
     /// <returns>True if a kick reaches the target at this time and hits nothing before.</returns>
-    internal bool TryArrival(AimRequest request, double time, bool isBetween, out AimSolution kick, out double arrival)
+    internal bool TryArrival(AimRequest request, double time, bool isBetween, in AimSolution near, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
-        bool hits = TryArrival(request, time, out kick, out arrival, out bool isEarly);
+        bool hits = TryArrival(request, time, in near, out kick, out arrival, out bool isEarly);
         if (isEarly)
         {
             // The kick is within tolerance but arrives too early: solve again for a closer kick, which arrives on time.
             _context.Begin(request.MaximumIterations);
             _general.IsTimely = true;
-            hits = TryArrival(request, time, out kick, out arrival, out _);
+            hits = TryArrival(request, time, in near, out kick, out arrival, out _);
             _general.IsTimely = false;
         }
 
@@ -67,16 +72,16 @@ public sealed partial class Aimer
             // A kick that grazes the jump in the drag law requires short steps: search again.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
-            hits = TryArrival(request, time, out kick, out arrival, out _);
+            hits = TryArrival(request, time, in near, out kick, out arrival, out _);
             _context.Steps = AimSteps.Long;
         }
 
         return hits;
     }
 
-    private bool TryArrival(AimRequest request, double time, out AimSolution kick, out double arrival, out bool isEarly)
+    private bool TryArrival(AimRequest request, double time, in AimSolution near, out AimSolution kick, out double arrival, out bool isEarly)
     {
-        kick = _general.FlightAtTime(request, time);
+        kick = _general.FlightAtTime(request, time, in near);
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
         bool there = IsThere(request, in velocity, in spin, time, out _, out isEarly);
         arrival = SpeedAt(request, in velocity, in spin, time, rolls: false);
@@ -112,68 +117,57 @@ public sealed partial class Aimer
     /// <summary>Finds the kick along the ground that arrives at a given speed.</summary>
     private bool Rolling(AimRequest request, double speed, out AimResult best)
     {
+        // A faster roll arrives faster, so take slower and slower ones until one arrives too slowly, or stops short of the target.
         best = default;
-        if (!_direct.SlowestRoll(request, request.Speed, out AimSolution slow) || !Rolls(request, request.Speed, out AimSolution roll))
-        {
-            return false;
-        }
-
-        // In still air over level ground, a faster roll arrives faster. Otherwise look for a change of sign between several speeds.
-        double slowest = slow.Speed;
         double high = request.Speed;
-        double atHigh = ArrivalOf(request, in roll) - speed;
-        int speeds = _context.Turns(request.TargetVelocity) ? 1 : RollSpeeds;
-        for (int i = 1; i <= speeds; i++)
+        double atHigh = RollAt(request, high, out AimSolution roll) - speed;
+        for (int i = 0; i < RollSpeeds && atHigh >= 0; i++)
         {
-            double low = i == speeds ? slowest : request.Speed + ((slowest - request.Speed) * i / speeds);
-            double atLow = Rolls(request, low, out AimSolution next) ? ArrivalOf(request, in next) - speed : double.NaN;
-            if (atLow * atHigh <= 0)
+            double low = SlowerRoll * high;
+            double atLow = RollAt(request, low, out AimSolution slower) - speed;
+            if (atLow < 0)
             {
-                return RollsBetween(request, speed, low, atLow, high, atHigh, out best);
+                return RollsBetween(request, speed, low, atLow, high, atHigh, ref roll, out best);
             }
 
-            (high, atHigh) = (low, atLow);
+            (high, atHigh, roll) = (low, atLow, slower);
         }
 
         return false;
     }
 
     /// <summary>Finds the kick along the ground that arrives at a given speed, between one that arrives too slowly and one too fast.</summary>
-    private bool RollsBetween(AimRequest request, double speed, double low, double atLow, double high, double atHigh, out AimResult best)
+    private bool RollsBetween(AimRequest request, double speed, double low, double atLow, double high, double atHigh, ref AimSolution roll, out AimResult best)
     {
-        best = default;
-        AimSolution roll = default;
-        for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness; i++)
+        for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness && Math.Abs(atHigh) > ArrivalCloseness; i++)
         {
             // Take a secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
             double middle = low + (share * (high - low));
-            if (!Rolls(request, middle, out roll))
+            double off = RollAt(request, middle, out AimSolution next) - speed;
+            if (off < 0)
             {
-                return false;
+                (low, atLow) = (middle, off);
             }
-
-            double off = ArrivalOf(request, in roll) - speed;
-            if (Math.Abs(off) < ArrivalCloseness)
+            else
             {
-                break;
+                (high, atHigh, roll) = (middle, off, next);
             }
-
-            (low, atLow, high, atHigh) = off * atLow > 0 ? (middle, off, high, atHigh) : (low, atLow, middle, off);
         }
 
         best = ReportArrival(request, in roll, speed);
         return best.Status is AimStatus.Hit or AimStatus.Blocked;
     }
 
-    private bool Rolls(AimRequest request, double speed, out AimSolution roll)
+    /// <summary>Returns the arrival speed of the kick along the ground at a given speed, in m/s; 0 if it does not reach the target.</summary>
+    private double RollAt(AimRequest request, double speed, out AimSolution roll)
     {
         _context.Begin(request.MaximumIterations);
-        return _direct.Rolls(request, speed, out roll);
-    }
+        if (!_direct.Rolls(request, speed, out roll))
+        {
+            return 0;
+        }
 
-    private double ArrivalOf(AimRequest request, in AimSolution roll)
-    {
         roll.Vectors(out Vector3d velocity, out Vector3d spin);
         return SpeedAt(request, in velocity, in spin, roll.Time, rolls: true);
     }

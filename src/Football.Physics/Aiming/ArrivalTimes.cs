@@ -26,6 +26,7 @@ internal sealed class ArrivalTimes(Aimer aimer)
     private readonly Node[] _nodes = new Node[Most];
     private AimRequest _request = new();
     private double _speed;
+    private AimSolution _near;
     private Node _closest;
 
     /// <summary>Scans the times of flight, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
@@ -33,6 +34,7 @@ internal sealed class ArrivalTimes(Aimer aimer)
     {
         _request = request;
         _speed = speed;
+        _near = default;
         _closest = default;
         int count = Scan();
 
@@ -93,8 +95,9 @@ internal sealed class ArrivalTimes(Aimer aimer)
     {
         Node node = default;
         node.Time = time;
-        node.Hits = _aimer.TryArrival(_request, time, isBetween, out node.Kick, out double arrival);
+        node.Hits = _aimer.TryArrival(_request, time, isBetween, in _near, out node.Kick, out double arrival);
         node.Off = arrival - _speed;
+        _near = node.Hits ? node.Kick : _near;
         if (node.Hits && !(_closest.Hits && Math.Abs(_closest.Off) <= Math.Abs(node.Off)))
         {
             _closest = node;

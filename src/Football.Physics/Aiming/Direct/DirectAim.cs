@@ -23,6 +23,9 @@ internal sealed class DirectAim
     private const int SlowerRolls = 16;
     private const double SlowerRoll = 0.2;
 
+    /// <summary>The share of the slowest speed that hits, below which no slower roll is tried.</summary>
+    private const double TooSlow = 0.6;
+
     private readonly PlaneProblem _problem;
     private readonly PlaneNewton _newton;
     private readonly AimContext _context;
@@ -117,14 +120,20 @@ internal sealed class DirectAim
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         // 1. In still air over level ground, a faster roll goes farther. Otherwise wind or slope may take a slow ball to the target but not a fast
-        // one, so try slower and slower ones. 2. Bisect between the slowest that hits and the next one.
+        // one, so try slower and slower ones, until several in a row stop short. 2. Bisect between the slowest that hits and the next one.
         double low = 0;
         double high = double.PositiveInfinity;
         solution = default;
         Narrow(request, fastest, ref low, ref high, ref solution);
         for (int i = 1; i <= SlowerRolls && !_context.Turns(request.TargetVelocity) && !_context.IsHalfSpent; i++)
         {
-            Narrow(request, fastest * Elementary.Exp(-SlowerRoll * i), ref low, ref high, ref solution);
+            double speed = fastest * Elementary.Exp(-SlowerRoll * i);
+            if (high <= fastest && speed < TooSlow * high)
+            {
+                break;
+            }
+
+            Narrow(request, speed, ref low, ref high, ref solution);
         }
 
         while (high <= fastest && high - low > RollWidth * high && !_context.IsSpent)

@@ -169,11 +169,18 @@ internal sealed class GeneralAim
         set => _problem.IsTimely = value;
     }
 
-    /// <summary>Finds the kick that flies to the target in a given time, or a close one, no faster than requested, from the closed form only.</summary>
-    public AimSolution FlightAtTime(AimRequest request, double time)
+    /// <summary>Finds the kick that flies to the target in a given time, or a close one, no faster than requested: from the closed form, then from a hit
+    /// at another time, if one is known.</summary>
+    public AimSolution FlightAtTime(AimRequest request, double time, in AimSolution near)
     {
         BeginAtTime(request, rolls: false);
-        return FromModel(time, out AimSolution solution) ? solution : _problem.Solution(_x);
+        if (FromModel(time, out AimSolution solution) || !(near.Time > 0))
+        {
+            return solution;
+        }
+
+        Put(_problem, _x, in near.Kick, near.Speed, time);
+        return _problem.Hit(_x, out AimSolution other) ? other : solution;
     }
 
     /// <summary>Finds the slowest kick that flies to the target, no faster than requested.</summary>
