@@ -16,7 +16,12 @@ case $here in *-arm64) here=linux-arm64 ;; debian*|ubuntu*|linux*) here=linux-x6
 rid=${2:-$here}
 
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# Inside the repository, whose folder the compiler replaces in paths: each build has the same bytes, whatever the folder of the clone.
+build=$PWD/../../artifacts/native-$rid
+rm -rf "$build"
+mkdir -p "$build"
+build=$(cd "$build" && pwd)
+trap 'rm -rf "$work" "$build"' EXIT
 compiler=$(command -v clang || command -v gcc || :)
 options=()
 if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
@@ -32,13 +37,13 @@ if [[ $rid == linux-* ]]; then
   options+=("-p:GlibcStandIns=$work/glibc")
 fi
 
-dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${options[@]}" Football.Physics.Native.csproj >&2
+dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$build" -o "$work" -p:RunAnalyzers=false "${options[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"
 cp include/football_physics.h "$out/include/"
 cp cmake/football_physics-config.cmake "$out/lib/cmake/football_physics/"
 case $rid in
-  win-*) mkdir -p "$out/bin" && cp "$work/football_physics.dll" "$out/bin/" && cp "$work"/build/bin/Football.Physics.Native/release_"$rid"/native/football_physics.lib "$out/lib/" ;;
+  win-*) mkdir -p "$out/bin" && cp "$work/football_physics.dll" "$out/bin/" && cp "$build"/bin/Football.Physics.Native/release_"$rid"/native/football_physics.lib "$out/lib/" ;;
   osx-*) cp "$work/libfootball_physics.dylib" "$out/lib/" ;;
   *) cp "$work/libfootball_physics.so" "$out/lib/" ;;
 esac
