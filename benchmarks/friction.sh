@@ -12,7 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # The files of the work tree that git tracks or would track, without the rest.
-git ls-files -z --cached --others --exclude-standard -- src/Football.Physics src/Packaging benchmarks/Friction 'Directory.*' global.json BannedSymbols.txt .editorconfig | while IFS= read -r -d '' file; do
+git ls-files -z --cached --others --exclude-standard -- src/Football.Physics src/Football.Physics.Batch src/Football.Physics.Engines src/Packaging benchmarks/Friction 'Directory.*' global.json BannedSymbols.txt .editorconfig | while IFS= read -r -d '' file; do
   [[ ! -e $file ]] || printf '%s\0' "$file"
 done | tar -c --null -T - | tar -x -C "$work"
 build() { dotnet build -c Release "$work/benchmarks/Friction" -o "$work/$1" -v q -p:RunAnalyzers=false -p:TargetFrameworks=net10.0 > "$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; exit 1; }; }

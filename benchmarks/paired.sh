@@ -23,6 +23,8 @@ build $project
 # The other folder differs only in the library. An empty project builds all its parts.
 mkdir -p "$work/tree/all"
 git archive "$commit" | tar -x -C "$work/tree"
+# In an older commit, Batch and Engines are assemblies of their own. They belong to the library for the benchmarks of the work tree.
+if [[ -e $work/tree/src/Football.Physics.Batch/Football.Physics.Batch.csproj ]]; then cp src/Football.Physics/Football.Physics.csproj "$work/tree/src/Football.Physics/"; fi
 cp -R "$output" "$work/then"
 {
   echo '<Project Sdk="Microsoft.NET.Sdk"><PropertyGroup><TargetFramework>net10.0</TargetFramework></PropertyGroup><ItemGroup>'
