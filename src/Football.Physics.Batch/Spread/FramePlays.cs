@@ -37,6 +37,8 @@ internal sealed class FramePlays
     private readonly double _axisUp;
     private readonly double _reach;
     private readonly int _thing;
+    private readonly int _firstPart;
+    private readonly int _parts;
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly List<FrameSpan> _aside = [];
     private readonly List<FrameSpan> _up = [];
@@ -55,7 +57,12 @@ internal sealed class FramePlays
         _axisAside = (0.5 * goal.Width) + goal.PostRadius;
         _axisUp = goal.Height + goal.PostRadius;
         _reach = scene.Ball.Radius + goal.PostRadius;
-        _thing = _simulator.World.ThingOfGoal(Array.FindIndex(_simulator.World.Goals, _mouth.IsAt));
+        int index = Array.FindIndex(_simulator.World.Goals, _mouth.IsAt);
+        _thing = _simulator.World.ThingOfGoal(index);
+
+        // The ground has the number 0. Obstacles follow, then the frames of the goals.
+        _parts = goal.Frame(scene.Forces).Count();
+        _firstPart = 1 + scene.Obstacles.Count + (_parts * index);
     }
 
     /// <summary>The horizontal spans below the crossbar in which kicks go in, found by <see cref="Look"/>.</summary>
@@ -109,13 +116,13 @@ internal sealed class FramePlays
         return goesIn;
     }
 
-    /// <summary>True if the ball hit an object in the plane of the mouth in the last step.</summary>
+    /// <summary>True if the ball hit a post or the bar in the last step.</summary>
     private bool HitsFrame()
     {
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {
-            bool isNear = Math.Abs(Vector3d.Dot(happened.Position - _mouth.Center, _mouth.Out)) <= _reach * (1 + 1e-6);
-            if (happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0 && isNear)
+            int part = happened.ColliderIndex - _firstPart;
+            if (happened.Kind == BallEventKind.Impact && part >= 0 && part < _parts)
             {
                 return true;
             }

@@ -71,7 +71,7 @@ public sealed class ScatterTests
             BallEvent[] events = log.Events.Span.ToArray();
             bool isGoal = events.Any(item => item.Kind == BallEventKind.Goal);
             goals += isGoal ? 1 : 0;
-            posts += !isGoal && events.Any(item => item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 && Math.Abs(item.Position.Z + 11) < 0.18) ? 1 : 0;
+            posts += !isGoal && events.Any(item => item.Kind == BallEventKind.Impact && simulator.NameOf(item) is "left post" or "right post" or "crossbar") ? 1 : 0;
         }
 
         // Three standard errors of the played kicks, and of the flights.

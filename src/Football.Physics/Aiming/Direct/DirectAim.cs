@@ -120,7 +120,7 @@ internal sealed class DirectAim
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         // 1. In still air over level ground, a faster roll goes farther. Otherwise wind or slope may take a slow ball to the target but not a fast
-        // one, so try slower and slower ones, until several in a row stop short. 2. Bisect between the slowest that hits and the next one.
+        // one, so try slower and slower ones, down to a share of the slowest that hits. 2. Bisect between the slowest that hits and the next one.
         double low = 0;
         double high = double.PositiveInfinity;
         solution = default;
