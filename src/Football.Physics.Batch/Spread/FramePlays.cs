@@ -38,7 +38,6 @@ internal sealed class FramePlays
     private readonly double _reach;
     private readonly int _thing;
     private readonly int _firstPart;
-    private readonly int _parts;
     private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly List<FrameSpan> _aside = [];
     private readonly List<FrameSpan> _up = [];
@@ -61,8 +60,7 @@ internal sealed class FramePlays
         _thing = _simulator.World.ThingOfGoal(index);
 
         // The ground has the number 0. Obstacles follow, then the frames of the goals.
-        _parts = goal.Frame(scene.Forces).Count();
-        _firstPart = 1 + scene.Obstacles.Count + (_parts * index);
+        _firstPart = 1 + scene.Obstacles.Count + (Goal.FrameCount * index);
     }
 
     /// <summary>The horizontal spans below the crossbar in which kicks go in, found by <see cref="Look"/>.</summary>
@@ -122,7 +120,7 @@ internal sealed class FramePlays
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {
             int part = happened.ColliderIndex - _firstPart;
-            if (happened.Kind == BallEventKind.Impact && part >= 0 && part < _parts)
+            if (happened.Kind == BallEventKind.Impact && part >= 0 && part < Goal.FrameCount)
             {
                 return true;
             }

@@ -56,6 +56,9 @@ public sealed record Goal
         yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = surface };
     }
 
+    /// <summary>The number of parts of the frame: two posts and the crossbar.</summary>
+    internal static int FrameCount => 3;
+
     /// <summary>The number of nets.</summary>
     internal int NetCount => HasNet ? 4 : 0;
 
