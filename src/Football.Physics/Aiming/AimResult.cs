@@ -52,7 +52,7 @@ public readonly struct AimResult : IFormattable
     {
         get
         {
-            // ω · (ŷ × d)
+            // The part of the spin ω along ŷ × d, the axis of topspin for the horizontal direction d.
             Vector3d flat = Velocity.Horizontal;
             double length = flat.Length;
             return length > 0 ? ((Spin.X * flat.Z) - (Spin.Z * flat.X)) / length : 0;

@@ -39,7 +39,8 @@ internal struct Kick
         var left = new Vector3d(d.Z, 0, -d.X);
         Elementary.SinCos(Elevation, out double sin, out double cos);
 
-        // v = V (cos ε d + sin ε ŷ), ω = top ŷ × d + side ŷ;  ∂d/∂φ = ŷ × d, ∂(ŷ × d)/∂φ = −d
+        // The velocity v = V (cos ε d + sin ε ŷ) has the speed V, the elevation ε and the horizontal direction d; the spin is ω = top ŷ × d + side ŷ.
+        // By the azimuth φ: ∂d/∂φ = ŷ × d, ∂(ŷ × d)/∂φ = −d.
         byElevation = speed * new Vector3d(-sin * d.X, cos, -sin * d.Z);
         byAzimuth = speed * cos * left;
         spinByAzimuth = -(Top * d);

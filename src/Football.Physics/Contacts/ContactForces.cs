@@ -19,7 +19,7 @@ internal static unsafe class ContactForces
         Vector3d spinAcceleration = free.SpinAcceleration;
         if (system.Bearer >= 0)
         {
-            // The damped spin about the normal: ω̇_n = −(c_ω/I) (ω − Ω)·n.
+            // The damped spin about the normal: ω̇_n = −(c_ω/I) (ω − Ω)·n, with the damping c_ω and the carrier's spin Ω.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
             spinAcceleration -= bearer.Resistance.Damping / system.World.Ball.MomentOfInertia * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }

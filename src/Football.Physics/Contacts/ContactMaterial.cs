@@ -138,7 +138,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
-        // The restitution at zero speed, e₀ = e₆ √(1 + (6/V_e)²).
+        // The restitution at zero speed, e₀ = e₆ √(1 + (6/V_e)²), from that of the test at 6 m/s. V_e is the speed at which it falls.
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

@@ -52,7 +52,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0.
+            // Keep contacts that neither close nor separate: (v − V)·n ≈ 0, with the object's velocity V.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             if (rate >= -closing && rate <= leaving)
             {
@@ -283,7 +283,7 @@ internal static class ContactSet
                 return;
             }
 
-            // The shortest displacement that closes both gaps: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
+            // The shortest displacement that closes both gaps: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ, solved for the lengths λ along the normals.
             s.Position += (((cosine * other) - gap) / square * one.Normal) + (((cosine * gap) - other) / square * two.Normal);
             one = first.At(s.Position, s.Time);
             two = second.At(s.Position, s.Time);

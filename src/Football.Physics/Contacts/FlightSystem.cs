@@ -91,7 +91,8 @@ internal unsafe struct FlightSystem : IMotionSystem
         double a = speed ? inside.Speed : inside.Spin;
         double b = speed ? outside.Speed : outside.Spin;
 
-        // s a + (1 − s) b = 0 at s = b/(b − a), which is between 0 and 1 if both branches lead towards the surface.
+        // Mix the rates a and b of the two branches so that the ball stays on the jump: s a + (1 − s) b = 0 at s = b/(b − a), which is between 0 and
+        // 1 if both branches lead towards the surface.
         return b > a ? b / (b - a) : a > 0 ? 2.0 : -1.0;
     }
 

@@ -37,7 +37,8 @@ internal static class Flush
                 continue;
             }
 
-            // Flush: the ball touches a surface with the same normal, and closes on it no faster than the difference of the normals explains, |u| |n₁ × n₂|.
+            // Flush: the ball touches a surface with the same normal, and closes on it no faster than the difference of the normals explains: |u| |n₁ × n₂| at
+            // the speed |u|.
             Collider other = world.ByIndex[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactTolerances.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal))
@@ -55,7 +56,8 @@ internal static class Flush
             double explained = (speed * sine) + ContactTolerances.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
             if (closing <= explained && (carries || closingOnOther <= ContactTolerances.Approaching))
             {
-                // The longer of two times: until the ball is past the edge (r sin θ), and until coinciding convex surfaces separate (½ |u|² t²/r).
+                // The longer of two times: until the ball is past the edge, r sin θ at an angle θ of the normals, and until coinciding convex surfaces separate,
+                // ½ |u|² t²/r.
                 double apart = carries && sine <= ContactTolerances.Coincident ? Math.Sqrt(2.0 * ContactTolerances.PartedSurfaces * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }

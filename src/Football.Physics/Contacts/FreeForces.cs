@@ -62,7 +62,8 @@ internal unsafe struct FreeForces
         Vector3d torque = Torque;
         if (rolls && !_around.World.SharesAir)
         {
-            // If the spin does not share the air's force, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
+            // If the spin does not share the air's force, the air accelerates a rolling ball directly and the spin
+            // follows: ω̇_t = n × a_air/r.
             Vector3d along = SurfaceSystem.Tangential(in push, in normal);
             torque = (Vector3d.Dot(in torque, in normal) * normal) + (Vector3d.Cross(in normal, in along) / _around.Radius);
         }

@@ -37,8 +37,9 @@ internal static class GroundPlace
             return ground.Snap(in position);
         }
 
-        // Use Newton's method for d(y) = r with d' = n_y: one step on a plane. On uneven ground, n_y is 0.7 … 1 and changes by less than a third
-        // within the ball's reach. Far off, the lower bound used for d never overshoots the root, so the method always converges.
+        // Find the height y at which the distance d(y) is the radius r, by Newton's method with d' = n_y: one step on a plane. On uneven ground, n_y
+        // is 0.7 … 1 and changes by less than a third within the ball's reach. Far off, the lower bound used for d never overshoots the root, so the
+        // method always converges.
         Vector3d at = position;
         for (int i = 0; i < MostSteps; i++)
         {

@@ -42,12 +42,13 @@ internal static class ImpactLaw
             return true;
         }
 
-        // Per mass: 1/m + 1/M becomes 1 + m/M, and 1/κ becomes 1/(1 + 1/α + m/M). The slip is s = u_t + r n × ω.
+        // Per mass of the ball: 1/m + 1/M becomes 1 + m/M, and 1/κ, the slip that a unit of impulse removes, becomes 1/(1 + 1/α + m/M).
+        // The slip is s = u_t + r n × ω, with the inertia factor α.
         Vector3d along = u + (approach * n);
         var law = new Impulse(in material, approach, in along, along + (r * Vector3d.Cross(in n, in w)), 1.0 + recoil, alpha / (1.0 + alpha + (alpha * recoil)));
         velocity = v + (law.Normal * n) - law.Friction;
 
-        // ω' = ω + (r/(α r²)) n × J/m, and the change about the normal.
+        // The impulse J turns the ball: ω' = ω + (r/(α r²)) n × J/m, and the change about the normal.
         double about = Vector3d.Dot(in w, in n);
         double kept = law.SpinKept(in material, about, alpha * r * r);
         spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, law.Friction)) + ((kept - about) * n);
@@ -81,7 +82,7 @@ internal static class ImpactLaw
             return true;
         }
 
-        // κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂.
+        // A unit of impulse along the surface changes the slip by κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂.
         double yields = (1.0 / ball.Mass) + (1.0 / other.Mass);
         double turns = (ball.Radius * ball.Radius / ball.MomentOfInertia) + (other.Radius * other.Radius / other.MomentOfInertia);
         var law = new Impulse(in material, approach, relative + (approach * n), u - (Vector3d.Dot(in u, in n) * n), yields, 1.0 / (yields + turns));
@@ -112,7 +113,7 @@ internal static class ImpactLaw
     /// <param name="after">(v' − V')·n, m/s.</param>
     public static double Added(BallProperties ball, double recoil, double before, double after) =>
 
-        // The energy gain ½ m/(1 + m/M) (w'² − w²).
+        // The energy gain ½ m/(1 + m/M) (w'² − w²), with the separation speeds w before and w' after, and the object's mass M.
         Math.Max(0, 0.5 * ball.Mass / (1.0 + recoil) * ((after * after) - (before * before)));
 
     /// <summary>The impulse of one impact, in units of the mass that the caller chooses.</summary>
@@ -135,13 +136,13 @@ internal static class ImpactLaw
         /// <param name="turning">1/κ.</param>
         public Impulse(in ContactMaterial material, double approach, in Vector3d along, in Vector3d slip, double yields, double turning)
         {
-            // The normal impulse J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂).
+            // The normal impulse J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂), with the restitution e and the relative velocity u.
             double restitution = material.RestitutionAt(approach, in along);
             Normal = material.IsBumper
                 ? (approach + material.Bumped(approach, restitution)) / yields
                 : (1.0 + restitution) * approach / yields;
 
-            // A grip needs J_t = −(1 + e_t) s/κ, limited to μ J_n.
+            // A grip needs J_t = −(1 + e_t) s/κ, with the tangential restitution e_t and the slip s. Friction limits it to μ J_n.
             double gripX = turning * (1.0 + material.TangentialX);
             var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, turning * (1.0 + material.TangentialZ) * slip.Z);
             double size = grip.Length;

@@ -52,8 +52,8 @@ internal sealed class NetForces(NetSheet[] sheets)
     /// <summary>Returns the longest piece in nets that at most a number of parts take accurately, in s.</summary>
     public double Longest(ulong nets, ulong sides, in Vector3d position, in Vector3d velocity, int parts = 1)
     {
-        // Nets that pull in one direction add up. The greatest depth that the ball can reach in the time p satisfies p Σ λ(δ + p v) = c, which is
-        // quadratic in p.
+        // Nets that pull in one direction add up. The greatest depth δ + p v that the ball, of speed v, can reach in the time p, and the rates λ at
+        // which the nets settle there, satisfy p Σ λ(δ + p v) = c, the change that a piece allows. This is quadratic in p.
         double change = parts * Change;
         double speed = velocity.Length;
         double rate = 0;

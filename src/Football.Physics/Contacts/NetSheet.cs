@@ -126,7 +126,7 @@ internal sealed class NetSheet
         double pull = _stiffness * depth * Math.Max(0, Tension(in velocity, side));
         double drag = _tangential * depth * (velocity - (off * Normal)).Length;
 
-        // λ h to the fourth power, of the pull (λ = k b δ + √k) and of the drag (λ = k_t δ).
+        // λ h to the fourth power for the rates λ of the pull, k b δ + √k, and of the drag, k_t δ: stiffness k, damping b, depth δ, drag k_t along the net.
         double pulls = h * ((_stiffness * _damping * depth) + Math.Sqrt(_stiffness));
         double drags = h * _tangential * depth;
         pulls *= pulls;

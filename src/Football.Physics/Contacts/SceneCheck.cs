@@ -19,7 +19,7 @@ internal static class SceneCheck
     /// fits.</summary>
     public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
     {
-        // A contact may turn spin into speed, so their energy has a common bound: v² + α r² ω².
+        // A contact may turn spin into speed, so their energy has a common bound: v² + α r² ω², with the inertia factor α.
         double square = EnergyOf(in s, world);
         if (!(square <= StateCheck.FastestSpeed * StateCheck.FastestSpeed))
         {

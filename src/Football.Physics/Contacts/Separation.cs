@@ -44,7 +44,7 @@ internal readonly struct Separation(World world, SeparationKind what, int index,
         Collider collider = _world.ByIndex[Index];
         if (collider.StandingPlane is { } plane)
         {
-            // A stationary plane has the gap (p − c)·n − r, and no curvature.
+            // A stationary plane through c has the gap (p − c)·n − r, and no curvature.
             value = plane.DistanceTo(in position) - _world.Ball.Radius;
             rate = Vector3d.Dot(in velocity, plane.Normal);
             return;

@@ -81,7 +81,8 @@ internal struct ShapeGap : ICrossedGap
         _radius = radius;
         _acceleration = acceleration;
 
-        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) if the surface is concave. A convex surface bends away from the path.
+        // M bounds the second derivative of the gap: the acceleration of the path, plus |v|² κ/(1 − κ d) if the surface is concave with the curvature κ
+        // at the distance d. A convex surface bends away from the path.
         double hollow = collider.HollowCurvature;
         _speed = path.FastestSpeed;
         _mayRise = hollow > 0 && collider.MayBend;
@@ -189,7 +190,7 @@ internal readonly struct RotatingGap : IGap
         _hollow = hollow;
         _radius = radius;
 
-        // Upper bounds of |w|, with w = v − V, and of ρ, the ball's distance from the pivot.
+        // Upper bounds of the relative speed |w|, with w = v − V, and of ρ, the ball's distance from the pivot.
         PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
         Bounds3d box = seen.Bounds;
         double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
@@ -200,7 +201,8 @@ internal readonly struct RotatingGap : IGap
         double around = spin * farthest;
         _closing = speed + Math.Min(around, shape.Swing);
 
-        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path; a concave one bends towards it by |q̇|² κ/(1 − κ d).
+        // Seen from the shape, which turns with Ω, the ball at ρ accelerates by q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path;
+        // one with a concave curvature κ at the distance d bends towards it by |q̇|² κ/(1 − κ d).
         _whole = speed + around;
         double bend = acceleration + (spin * ((2.0 * speed) + around));
         _near = TimeOfImpact.NearHollow(radius, hollow);

@@ -51,6 +51,7 @@ internal readonly struct SlipDecay
         double size = slip.Length;
         double c = push.Length;
 
+        // The slip s, its direction ŝ, friction k and a constant push c: ṡ = c − k ŝ.
         // k|s| + c·s decreases at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
         Left = (k * k) - (c * c);
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / Left;

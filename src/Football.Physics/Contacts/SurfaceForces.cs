@@ -107,12 +107,14 @@ internal struct SurfaceForces
         Vector3d material = carrier.SpinVelocity(in at.Position, time) - (off * n);
         on.Rolling = SurfaceSystem.Tangential(at.Velocity - material, in n);
 
-        // If only the surface rotates, its velocity is V + w − (w·n) n, whose rate has the further part −(w·n) ṅ along the surface.
+        // If only the surface rotates, its velocity is V + w − (w·n) n, with w = Ω × (p − o) by its spin Ω about the pivot o. The
+        // rate of it has the further part −(w·n) ṅ along the surface.
         Vector3d along = material - carrier.Velocity;
         on.MaterialRate = SurfaceSystem.Tangential(Vector3d.Cross(in spin, in along), in n) - (off * (point.Curvature * along));
         if (carrier.Rotates)
         {
-            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
+            // The velocity q = v − V_p relative to the material, the rate of the normal ṅ = Ω × n + Hq with the curvature H, and the acceleration of the
+            // surface, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
             Vector3d q = at.Velocity - material;
             Vector3d bent = point.Curvature * q;
             on.Velocity = q;
@@ -121,7 +123,7 @@ internal struct SurfaceForces
                 - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
         }
 
-        // A = Ω × (ċ − V), ċ = v − r ṅ.
+        // The rate of the surface's velocity at the contact point c: A = Ω × (ċ − V), ċ = v − r ṅ.
         on.SurfaceRate = SurfaceSystem.Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n) - (off * on.Turning);
     }
 }

@@ -215,7 +215,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
     {
         Unsafe.SkipInit(out on);
 
-        // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
+        // Get the normal n, its rate ṅ, and qᵀHq − A_s·n: the acceleration of the carrier below the ball, from the curvature H and the velocity q along it.
         if (IsFlat && Carrier.Spin == Vector3d.Zero)
         {
             on.DescribeFlat(Carrier, in FaceNormal, in at);
@@ -229,7 +229,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Vector3d n = on.Normal;
         on.Slip = Rolls ? Vector3d.Zero : Slip.Of(at.Velocity - on.Surface, in at.Spin, in n, World.Ball.Radius);
 
-        // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
+        // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface; a_b is gravity and buoyancy, A_s the material's acceleration.
         Vector3d body = Around.Weight;
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
@@ -286,7 +286,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
     /// <remarks>The ball stays at rest if rolling friction can hold it against this push.</remarks>
     public readonly Vector3d PushFromRest(in SurfaceForces on)
     {
-        // The drive of a rolling ball is (a_b,t − A_s,t)/(1 + α); A_s is the acceleration of the carrier's material.
+        // The drive of a rolling ball is (a_b,t − A_s,t)/(1 + α), with the inertia factor α; A_s is the acceleration of the carrier's material.
         Vector3d drive = World.SharesAir ? Drive(in on) : (on.Body / (1.0 + World.Ball.InertiaFactor)) + Tangential(on.Own, in on.Normal);
         return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
     }
@@ -296,7 +296,8 @@ internal unsafe struct SurfaceSystem : IContactMotion
     {
         double alpha = World.Ball.InertiaFactor;
 
-        // (a_b + a_air + α r T × n)/(1 + α). If the spin does not share the air's force: a_b/(1 + α) + a_air.
+        // The body force a_b, the air's force a_air and its torque T give (a_b + a_air + α r T × n)/(1 + α). If the spin does not share the air's force:
+        // a_b/(1 + α) + a_air. α is the inertia factor.
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
         Vector3d drive = shared / (1.0 + alpha);
         return World.SharesAir ? drive : drive + on.Air;
@@ -378,7 +379,7 @@ internal unsafe struct SurfaceSystem : IContactMotion
         // If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
 
-        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n.
+        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n: forces a_t along the surface, friction against the slip ŝ, and the curvature H.
         Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
@@ -395,21 +396,22 @@ internal unsafe struct SurfaceSystem : IContactMotion
         Vector3d sliding = at.Velocity - on.Surface;
         Vector3d rolling = Vector3d.Cross(in n, in sliding) / r;
 
-        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ.
+        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ: damping c_ω relative to the carrier's spin Ω, torques T, and the turning normal.
         double aboutRate = AboutNormal(AboutCarrier(in at.Spin, in n), in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
         if (Pinned && Carrier.Spin == Vector3d.Zero)
         {
             return new MotionRates(Vector3d.Zero, aboutRate * n);
         }
 
-        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂. A pinned ball accelerates like the carrier's material.
+        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂, with the rate A_t of the surface's velocity and rolling resistance c₀, c₁.
+        // A pinned ball accelerates like the carrier's material.
         Vector3d along = Pinned ? on.MaterialRate
             : Drive(in on)
                 + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
                 - (MostRolling(in on, on.Rolling.Length) * Along(in on.Rolling));
 
-        // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
+        // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇. V_c is the velocity of the surface.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }

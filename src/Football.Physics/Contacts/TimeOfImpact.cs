@@ -89,7 +89,7 @@ internal static class TimeOfImpact
     /// <summary>Returns the positive root of f + f' s − ½ M s², without cancellation.</summary>
     public static double Safe(double gap, double rate, double bend)
     {
-        // s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').
+        // The gap f with the rate f' and the bound M of f'': s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
         return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
     }

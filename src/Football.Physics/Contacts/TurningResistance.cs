@@ -40,7 +40,7 @@ internal struct TurningResistance
     /// <returns>Change of the spin, rad/s.</returns>
     public double Act(double damping, double mostDrilling, double mostRolling, ref Vector3d w)
     {
-        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I; then drilling friction reduces it.
+        // About the normal: the damping c_ω reduces the spin ω_n to ω_n/(1 + k), k = c_ω h/I, over the part h; then drilling friction reduces it.
         double about = Vector3d.Dot(in w, in Normal);
         double damped = (about - Drilling) / (1.0 + damping);
         double kept = damped > 0 ? Math.Max(0, damped - mostDrilling) : Math.Min(0, damped + mostDrilling);

@@ -143,7 +143,7 @@ internal sealed class BodyPush
 
         Vector3d up = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
 
-        // n_t/|n_t|²: the displacement along the carrier that closes a gap of length 1.
+        // n_t/|n_t|², with the part n_t of the normal along the carrier: the displacement along the carrier that closes a gap of length 1.
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 

@@ -171,7 +171,7 @@ internal sealed class ClearFlight
     /// <inheritdoc cref="Stepper.FliesClear"/>
     public bool HasFlown(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate)
     {
-        // A path with an acceleration of at most a stays within ⅛ a t² of the chord between its ends.
+        // In a time t, a path with an acceleration of at most a stays within ⅛ a t² of the chord between its ends.
         double most = airSpeed + (duration * _weight);
         double bend = 0.125 * (_weight + (RateAtMost(most, spinRate) * most)) * duration * duration;
         var way = new StraightWay(in from, (to - from) / duration, 0, duration, _world.Ball.Radius + bend + Rounding);
@@ -235,7 +235,7 @@ internal sealed class ClearFlight
     /// <param name="during">t, s.</param>
     private double Bend(in FlightPush push, double ahead, double during)
     {
-        // c a t² with a = (1 + μ)(g + λ |u|), where λ bounds how fast the air can change the motion.
+        // c a t² with a = (1 + μ)(g + λ |u|): friction μ, weight g, airspeed |u|. The rate λ bounds how fast the air can change the motion.
         double most = SpeedLater(in push, ahead);
         double acceleration = push.FrictionFactor * (_weight + (RateAtMost(most, push.SpinRate) * most));
         return _shareInPath * acceleration * during * during;

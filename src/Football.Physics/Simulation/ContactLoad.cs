@@ -29,7 +29,8 @@ internal sealed class ContactLoad
     /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. Other forces must bring the ball back within a millisecond.
+        // a_b·n ≤ −|a_b|/2, with gravity and buoyancy a_b: the weight presses the ball onto surfaces of up to 60°. Other forces must bring the ball
+        // back within a millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? ContactTolerances.ShortestHop : ContactTolerances.ShortestPressedHop;
         bool isCarriedElsewhere = s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
@@ -45,7 +46,7 @@ internal sealed class ContactLoad
             double airSpeed = (velocity - _around.Wind).Length;
             double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
 
-            // The upper bound of |A_s·n| on a rotating surface.
+            // The upper bound of |A_s·n| on a rotating surface, whose material has the acceleration A_s.
             double turns = collider.Spin.Length;
             most += turns == 0 ? 0 : turns * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
             if (s.Nets == 0 && off >= 0.5 * hop * most)

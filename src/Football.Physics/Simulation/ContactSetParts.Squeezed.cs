@@ -28,7 +28,7 @@ internal sealed partial class ContactSetParts
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             run.Spent.Parts++;
 
-            // Velocity and spin from the forces alone: v + h a, ω + h ω̇.
+            // Velocity and spin after a part h from the forces alone: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates free = _forces.Free(in s, s.Time, in from, isCarried: true, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
@@ -52,7 +52,7 @@ internal sealed partial class ContactSetParts
             Vector3d kept = v;
             SolvedSet.KeepOff(set, _world, h, movers: false, ref kept);
 
-            // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
+            // f² = |v|² + 2 h f W·d: in a part h, the work of the forces W along the direction d changes the speed from |v| to f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
             double fastest = Math.Max(given, worked + Math.Sqrt((worked * worked) + (came * came)));
 
@@ -142,7 +142,7 @@ internal sealed partial class ContactSetParts
             contact.Velocity = Room * contact.Normal;
         }
 
-        // The least velocity v with v·n ≥ Room at each contact.
+        // The least velocity v with v·n ≥ Room at each contact, of normal n.
         Vector3d v = Vector3d.Zero;
         return SolvedSet.KeepOff(set, _world, 0, movers: true, ref v) && v.Length <= 1;
     }

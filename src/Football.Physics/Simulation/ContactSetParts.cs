@@ -212,7 +212,8 @@ internal sealed partial class ContactSetParts
     /// <remarks>The Magnus force turns with the velocity and does no work, however fast the velocity turns.</remarks>
     private Vector3d Working(in MotionRates free, in Motion at)
     {
-        // a − (a·m) m/|m|² with m = ω × u. If the full air force acts, the projection excludes the weight.
+        // a − (a·m) m/|m|² with the direction m = ω × u of the Magnus force: spin ω, velocity u through the air. If the full air force acts, the
+        // projection excludes the weight.
         Vector3d weight = _world.SharesAir ? _around.Weight : Vector3d.Zero;
         Vector3d other = free.Acceleration - weight;
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);

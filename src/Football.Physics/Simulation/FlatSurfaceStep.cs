@@ -146,7 +146,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series. For a large turn, use the sixth order.
+        // The axis of the spin ω turns too: ∫ω dt + h²/12 ω(h) × ω(0) over the step h, the fourth-order Magnus series. For a large turn, use the sixth order.
         Vector3d last = step.End.Spin;
         bool turnsLittle = _order < 4 || dt * dt * dt * dt * Vector3d.Cross(in last, start.Spin).LengthSquared <= LittleTurn * LittleTurn;
         Vector3d turned = turnsLittle ? RotationVector.OfMean(step.Mean.Spin, start.Spin, in last, dt)
@@ -267,7 +267,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             }
         }
 
-        // The velocity of a rolling ball determines its spin: ω_t = n × v / r.
+        // The velocity v of a rolling ball determines its spin along the plane: ω_t = n × v / r.
         ref PlaneMotion end = ref step.End;
         end.VX = start.VX + (dt * sumAX);
         end.VZ = start.VZ + (dt * sumAZ);
@@ -296,7 +296,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double load = step.Load + Math.Min(0, step.Load - first.Load);
         double friction = Ample * material.Sliding * load;
 
-        // ½ m v² + ½ I ω²
+        // The energy of velocity and spin, ½ m v² + ½ I ω².
         double energy = (_halfMass * ((end.VX * end.VX) + (end.VZ * end.VZ))) + (_halfInertia * ((end.WX * end.WX) + (end.WY * end.WY) + (end.WZ * end.WZ)));
         return !((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _law.Weight) || !(load > Slight * _law.Weight)
             || (rolls && (energy <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, step.TractionSquared) <= friction * friction)))

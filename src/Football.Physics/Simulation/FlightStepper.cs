@@ -206,7 +206,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {
-        // G and S at both ends, and their rates at the start: 2 u·a and 2 r² |ω| d|ω|/dt.
+        // The squares of the airspeed u and of the rim speed r |ω| at both ends, and their rates at the start: 2 u·a and 2 r² |ω| d|ω|/dt.
         var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
         var rate = DragJump.Rate(
             2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),

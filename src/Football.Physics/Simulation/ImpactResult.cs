@@ -36,7 +36,7 @@ internal sealed class ImpactResult
 
         run.Spent.Fastest = hit.Moves ? Math.Max(run.Spent.Fastest, material.FastestBy(surface.Length)) : run.Spent.Fastest;
 
-        // The separation speed is w = (v' − V')·n. An object with a mass recoils to V' = V − (m/M)(v' − v).
+        // The separation speed is w = (v' − V')·n: ball v', object V', normal n. An object of mass M recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (recoil * (velocity - v)), in n);
         if (_gainsByHops && off > 0 && !hit.IsLevelGround)

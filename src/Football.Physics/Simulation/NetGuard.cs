@@ -116,7 +116,8 @@ internal sealed class NetGuard
     {
         for (int i = 0; i < MostHalved && (s.Nets != 0 || run.Followed > 0) && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
         {
-            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, which is of fourth order in the length.
+            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, of fourth order in the length h. The ends have velocities
+            // v and accelerations a.
             double h = sweep.Length;
             Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
             double share = ContactTolerances.NetBend / off.Length;

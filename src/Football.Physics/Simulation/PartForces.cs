@@ -87,7 +87,7 @@ internal sealed unsafe class PartForces
         Vector3d spinAcceleration = NoMore(in rates.SpinAcceleration, (at.Spin.Length + MostSpin) / h);
         if (s.Nets != 0)
         {
-            // A net settles at the rate λ. Apply the share 1/(1 + h λ) of its push, as an implicit step would.
+            // A net settles at the rate λ. Apply the share 1/(1 + h λ) of its push over the part h, as an implicit step would.
             MotionRates nets = _world.NetForces.Push(s.Nets, s.NetSides, null, in at);
             double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
             acceleration += share * nets.Acceleration;

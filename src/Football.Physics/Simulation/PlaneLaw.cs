@@ -88,7 +88,7 @@ internal sealed class PlaneLaw<TAir>
         in PlaneStart on, in PlaneMaterial material, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
         where TMotion : struct, ISurfaceMotion
     {
-        // The velocity relative to the air, u, and ω × u.
+        // The velocity u relative to the air, and ω × u, the direction of the Magnus force for the spin ω.
         double ux = vx - WindX;
         double uy = -WindUp;
         double uz = vz - WindZ;
@@ -103,7 +103,7 @@ internal sealed class PlaneLaw<TAir>
         bool spins = _air.FactorsPerSpin(
             speedSquared, spinSquared, (crossX * crossX) + (crossUp * crossUp) + (crossZ * crossZ), branch, out double drag, out double lift, out double decay);
 
-        // a_air = L (ω × u) − D u; N/m = −a_b·n, minus a_air·n if the air adds to the load.
+        // The air gives a_air = L (ω × u) − D u, with the factors L of lift and D of drag. The load is N/m = −a_b·n, minus a_air·n if the air adds to it.
         double upByLift = _airInLoad * crossUp;
         double upByDrag = _airInLoad * uy;
         double load = Weight - ((lift * upByLift) - (drag * upByDrag));
@@ -147,7 +147,8 @@ internal sealed class PlaneLaw<TAir>
             double ax = (_bodyX - (Weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
             double az = (_bodyZ - (Weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
 
-            // n × ŝ. If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
+            // Friction turns the ball about n × ŝ, across the direction ŝ of the slip. If the ball has no spin, the air's torque reduces the torque
+            // of friction, but never reverses it.
             double turning = material.SlidingTorque * load;
             turning = spins ? turning : Math.Max(0, turning - decay);
             rates.BX = (turning * sz) - (slowing * wx);

@@ -182,7 +182,7 @@ internal sealed class RestPhase
             return PathCubic.Line(s.Position, in velocity, h);
         }
 
-        // Rotate the position about the pivot: p' = o + V h + R(Ω h) (p − o).
+        // Rotate the position p about the pivot o: p' = o + V h + R(Ω h) (p − o). R rotates by the carrier's spin Ω times h; V is its velocity.
         double rate = carrier.Spin.Length;
         h = Math.Min(h, LargestTurn / rate);
         turn = h * carrier.Spin;

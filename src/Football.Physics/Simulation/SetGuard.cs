@@ -15,12 +15,12 @@ internal static unsafe class SetGuard
     /// <remarks>The loads of nearly parallel contacts, and their friction, then changed faster than the integrator can follow.</remarks>
     public static bool Overshoots(Surroundings around, in BallState s, in ContactSystem system, in Motion from, in Motion end, double h, int order)
     {
-        // ½ |v|² + ½ α r² |ω|².
+        // The energy of velocity and spin per mass, ½ |v|² + ½ α r² |ω|², with the inertia factor α.
         double turning = around.World.Ball.InertiaFactor * around.Radius * around.Radius;
         double before = 0.5 * (from.Velocity.LengthSquared + (turning * from.Spin.LengthSquared));
         double after = 0.5 * (end.Velocity.LengthSquared + (turning * end.Spin.LengthSquared));
 
-        // The work of the weight, and the error of a method of first order, ½ |a|² h².
+        // The work of the weight, and the error of a method of first order, ½ |a|² h², with the acceleration a and the piece's length h.
         double given = Vector3d.Dot(around.Weight, end.Position - from.Position) + (order > 1 ? 0 : 0.5 * h * h * around.Weight.LengthSquared);
         double allowed = (before * (1.0 + ContactTolerances.PieceEnergy)) + given;
         if (after <= allowed)
@@ -28,7 +28,7 @@ internal static unsafe class SetGuard
             return false;
         }
 
-        // Moving surfaces, nets, the wind and custom forces do work too: they change the speed √(2E) by at most this.
+        // Moving surfaces, nets, the wind and custom forces do work too: they change the speed √(2 E) of the energy E by at most this.
         double change = 0;
         for (int i = 0; i < system.Count; i++)
         {

@@ -53,7 +53,7 @@ internal sealed class SlideEnd
         // On a curved surface, the push changes with the position: allow only a very short end.
         double most = on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
 
-        // |s| < k t: the slide may end in this piece. |c|² < k²: friction outweighs the push, so it does end.
+        // |s| < k t: friction, which slows the slip s at the rate k, may end it within the piece t. |c|² < k²: friction outweighs the push c, so it does end.
         if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
         {
             return false;
@@ -96,7 +96,7 @@ internal sealed class SlideEnd
         stop.Time = t;
         stop.Grips = system.Grips(in there);
 
-        // ∫ω dt, plus the Magnus term for the turning axis, t²/12 ω(t) × ω(0).
+        // The rotation ∫ω dt, plus the second term of the Magnus series for the turning axis of the spin, t²/12 ω(t) × ω(0).
         Vector3d torque = SurfaceSystem.Tangential(on.Torque, on.Normal) + (turning * on.Normal);
         Vector3d lastTorque = SurfaceSystem.Tangential(there.Torque, on.Normal) + (lastTurning * on.Normal);
         stop.Turn = (t * piece.From.Spin) + ((t * t / 6.0) * ((2.0 * torque) + lastTorque))

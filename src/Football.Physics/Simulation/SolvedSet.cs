@@ -63,7 +63,7 @@ internal static class SolvedSet
     /// <param name="from">Its position before, m.</param>
     public static void PayForLift(ref BallState s, scoped Span<Contact> set, BallProperties ball, in Vector3d weight, in Vector3d from)
     {
-        // ½ |v|² + ½ α r² |ω|², less g·δ.
+        // The energy per mass, ½ |v|² + ½ α r² |ω|², less the work g·δ of the weight g in the displacement δ. α is the inertia factor.
         double energy = 0.5 * (s.Velocity.LengthSquared + (ball.InertiaFactor * ball.Radius * ball.Radius * s.SpinAxis.LengthSquared));
         double lift = -Vector3d.Dot(weight, s.Position - from);
         if (lift > ContactTolerances.PieceEnergy * energy && !Drives(set))

@@ -108,7 +108,7 @@ internal readonly struct StabilityLimit
             return true;
         }
 
-        // Allow half of the change for each of the two parts of P |u| + Q |ω| + C. This avoids a square root.
+        // Allow half of the change for each of two parts of P |u| + Q |ω| + C: that of the airspeed |u|, and the rest. This avoids a square root.
         RateBound bound = speedSquared <= UsualSpeed * UsualSpeed ? _usual : _bound;
         double bySpeed = h * bound.PerSpeed;
         double bySpin = h * ((bound.PerSpin * spinRate) + bound.Constant);
@@ -195,7 +195,7 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double WithinHop(double h, double height, double climb)
     {
-        // A hop to the height that the energy allows takes 2 √(2 g y + v²)/g.
+        // From the height y with the upward speed v, a hop takes at most 2 √(2 g y + v²)/g.
         double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
         double least = h * -_upward * _piecesOfHop;
         return least > 0 && least * least > 4.0 * up ? PartOfHop(h, least, up) : h;
@@ -283,7 +283,7 @@ internal static class TurnLimit
         double leftSquared = left * left;
         double changed = (along * along) + (across * across);
 
-        // With θ = across/left and x² = changed/left², test θ x⁴ ≤ E without a division. As x ≥ θ, θ is at most the fifth root of E.
+        // With θ = across/left and x² = changed/left², test θ x⁴ ≤ E, the largest error, without a division. As x ≥ θ, θ is at most the fifth root of E.
         return left > 0 && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
     }
 

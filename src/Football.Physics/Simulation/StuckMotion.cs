@@ -67,7 +67,7 @@ internal static unsafe class StuckMotion
             return Math.Abs(off);
         }
 
-        // A force F along the surface changes the spin by −n × F/(α r), so removing the slip takes α/(1 + α) of it.
+        // A change F of the velocity along the surface changes the spin by −n × F/(α r), so removing the slip takes α/(1 + α) of it. α is the inertia factor.
         double inertia = world.Ball.InertiaFactor;
         Vector3d slip = Slip.Of(v - contact.Surface, in w, in n, r);
         Vector3d push = -(inertia / (1.0 + inertia)) * slip;

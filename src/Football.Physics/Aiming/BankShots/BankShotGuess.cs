@@ -139,7 +139,8 @@ internal sealed class BankShotGuess(Scene scene)
             // ∇f is the gradient of the sum of both lengths. Its tangential part is zero if the angles of incidence and reflection are equal.
             Vector3d slope = a + b;
 
-            // The tangential Hessian (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H, without aaᵀ and bbᵀ (Weiszfeld), so that steps are not too long.
+            // The Hessian of the length f of the way over the surface, (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H: directions a, b and lengths l of both parts,
+            // normal n and curvature H. aaᵀ and bbᵀ are left out (Weiszfeld), so that steps are not too long.
             double flat = (1.0 / la) + (1.0 / lb);
             double bent = Math.Max(0, -Vector3d.Dot(in slope, in c.Normal));
             double xx = flat + (bent * Math.Max(0, Vector3d.Dot(in c.Level, c.Curvature * c.Level)));
@@ -163,7 +164,8 @@ internal sealed class BankShotGuess(Scene scene)
     /// <summary>Raises a path by the fall of the ball, ½ g t², where t is the time of a throw, flat or as a lob.</summary>
     private Vector3d Raised(in Vector3d way, double speed, bool lob)
     {
-        // The time solves |w + ½ a t²| = v t, so ¼ a² t⁴ − (v² − a w_y) t² + w² = 0.
+        // A throw at the speed v over the way w, with the upward acceleration a, takes a time t with |w + ½ a t²| = v t, so
+        // ¼ a² t⁴ − (v² − a w_y) t² + w² = 0.
         double a = _upward;
         double half = 0.5 * ((speed * speed) - (a * way.Y));
         double root = Math.Sqrt(Math.Max(0, (half * half) - (0.25 * a * a * way.LengthSquared)));

@@ -63,7 +63,7 @@ internal struct FittedFlight
         _upward = context.Upward;
         _spinRate = Math.Max(LeastSpin, spinRate);
 
-        // The airspeed |u| = v/(1 + k v t), after half of the time and at the end.
+        // The airspeed |u| = v/(1 + k v t), from v with the drag k per length, after half of the time and at the end.
         double slowing = drag * speed * time;
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
@@ -116,7 +116,7 @@ internal struct FittedFlight
     {
         AdvanceTo(time);
 
-        // Extrapolate with a parabola: g = v τ + a τ²/2.
+        // Extrapolate with a parabola: in a further time τ, the gap closes by v τ + a τ²/2, with the speed v and the acceleration a towards the plane.
         Vector3d position = _from + _path + (_time * _wind);
         Vector3d velocity = _velocity + _wind;
         Rates(in _velocity, _time, out Vector3d a);
@@ -160,7 +160,7 @@ internal struct FittedFlight
     /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
     private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
     {
-        // D and L at this |u|², in Newton's form, reduced by the loss of spin.
+        // The factors D of drag and L of lift at this |u|², in Newton's form, reduced by the loss of spin.
         double loss = _lost + (time * (_decay - (time * _decaySlope)));
         double squared = u.LengthSquared;
         double past = squared - _endSquared;

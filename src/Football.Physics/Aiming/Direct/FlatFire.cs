@@ -44,10 +44,10 @@ internal struct FlatFire
             third = (1.0 - log) / tau;
         }
 
-        along = x * t * log; // s = ln(1 + τ)/k
+        along = x * t * log; // the path length, ln(1 + τ)/k, with the drag k per length
         speed = x / (1.0 + tau);
-        fall = t * t * half; // w' + k v w = 1
-        bend = x * t * t * third; // w' + k v w = v
+        fall = t * t * half; // the way of the speed w by an acceleration of 1: w' + k v w = 1
+        bend = x * t * t * third; // the same by an acceleration of v: w' + k v w = v
     }
 
     /// <summary>Returns the time in which a kick covers a path length, in s.</summary>
@@ -73,14 +73,15 @@ internal struct FlatFire
             double size = Math.Max(a.Length, 1e-6);
             air = a / size;
 
-            // The path length s = ln(1 + k x t)/k.
+            // The path length in the time t from the speed x, with the drag k per length: s = ln(1 + k x t)/k.
             double ks = Math.Min(Drag * size, MostDamping);
             x = (ks > 1e-6 ? (Elementary.Exp(ks) - 1.0) / Drag : size) / time;
         }
 
         Ways(x, time, out double went, out double speed, out _, out _);
 
-        // The sensitivity ∂p/∂v is t/(1 + τ) along the path, and s/x across it.
+        // The end p moves with the velocity v at the start: ∂p/∂v is t/(1 + τ) along the path, and s/x across it, with the time t, the path length s,
+        // the speed x and τ = k x t.
         direction = air;
         along = time * speed / x;
         across = went / x;
@@ -121,7 +122,7 @@ internal struct FlatFire
         {
             Ways(x, t, out double along, out double speed, out double fall, out double bend);
 
-            // The spin ω = top (ŷ × d) + side ŷ.
+            // The spin ω = top (ŷ × d) + side ŷ, with the horizontal direction d.
             double flat = Math.Sqrt((direction.X * direction.X) + (direction.Z * direction.Z));
             double top = flat > 0 ? perSpin * spins.Top / flat : 0;
             var axis = new Vector3d(top * direction.Z, perSpin * spins.Side, -(top * direction.X));

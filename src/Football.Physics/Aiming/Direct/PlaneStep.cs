@@ -257,7 +257,7 @@ internal struct CrossingJacobian(double upByElevation, double upByAzimuth, doubl
     /// <returns>False if the Jacobian is singular.</returns>
     public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
     {
-        // Solve J Δ = −r by Cramer's rule.
+        // Solve J Δ = −r for the changes Δ of the angles by Cramer's rule: derivatives J, misses r.
         double determinant = (UpByElevation * LeftByAzimuth) - (UpByAzimuth * LeftByElevation);
         elevation = ((UpByAzimuth * left) - (LeftByAzimuth * up)) / determinant;
         azimuth = ((LeftByElevation * up) - (UpByElevation * left)) / determinant;

@@ -54,7 +54,7 @@ internal static class TwoPointGuess
             double slopeUp = ((up1 * bend2) - (up2 * bend1)) / determinant;
             double bendUp = ((s1 * up2) - (s2 * up1)) / determinant;
 
-            // Solve the lift law L ~ |ω|^0.83 along ω for |ω|.
+            // Solve the law of lift, L ~ |ω|^0.83, for the spin rate |ω|.
             double lift = Math.Sqrt((bendLeft * bendLeft) + (bendUp * bendUp));
             double share = model.Lift > 0 ? lift / model.Lift : 0;
             double grown = spinRate * Math.Min(Math.Max(share * (0.83 + (0.17 * share)), 0.1), 4.0);

@@ -304,7 +304,7 @@ internal sealed class GeneralAim
     /// <summary>Returns the approximate time of the slowest closed-form kick.</summary>
     private double SlowestOfModel(double top, double side, double fastest, out double speed)
     {
-        // In vacuum, the slowest kick has t² = 2 d/g. Start there, and move to the vertex of a parabola in log t.
+        // In vacuum, the slowest kick over the distance d takes a time t with t² = 2 d/g. Start there, and move to the vertex of a parabola in log t.
         double way = _problem.Way;
         double fall = Math.Abs(_context.Upward) > 1e-3 ? Math.Sqrt(2.0 * way / Math.Abs(_context.Upward)) : double.PositiveInfinity;
         double time = Math.Min(Math.Max(fall, 1.2 * way / fastest), AimContext.LongestFlight);

@@ -242,7 +242,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         x[Side] = kick.Side;
         x[LogTime] = Clamp(LogTime, Elementary.Log(time));
 
-        // ∂p/∂v = b I + (a − b) û ûᵀ: the sensitivity differs along and across the path.
+        // The closest point p depends on the start velocity v by ∂p/∂v = b I + (a − b) û ûᵀ: a along the direction û of the path, b across it.
         kick.Turns(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d byElevation, out Vector3d byAzimuth, out _);
         SetColumn(Solver.Jacobian, 0, Elevation, Stretched(in byElevation));
         SetColumn(Solver.Jacobian, 0, Azimuth, Stretched(in byAzimuth));
@@ -271,7 +271,8 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>Sets the columns of the time unknowns, which follow from the velocities.</summary>
     public void KnownColumns(double[] x, double[] j)
     {
-        // p(e^τ): ∂p/∂τ = t v; at the waypoint, at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
+        // The unknowns are the logarithm τ of the time t, and the share s of it at the waypoint. At the target, the position p(t) has ∂p/∂τ = t v;
+        // at the waypoint, p(s t) has ∂p/∂τ = s t v and ∂p/∂s = t v. v is the velocity there.
         double time = Elementary.Exp(x[LogTime]);
         SetColumn(j, 0, LogTime, time * _arrival);
         SetColumn(j, 0, Share, Vector3d.Zero);

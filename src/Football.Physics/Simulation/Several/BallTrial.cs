@@ -217,7 +217,7 @@ internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic
 
     public bool IsClosed(double t, out double step)
     {
-        // The gap f = |p₁ − p₂| − d, and its derivative f'.
+        // The gap f = |p₁ − p₂| − d of the centres p₁ and p₂, which touch at the distance d, and its derivative f'.
         Vector3d apart = _one.At(t - _oneStart) - _two.At(t - _twoStart);
         double length = apart.Length;
         double gap = length - _distance;

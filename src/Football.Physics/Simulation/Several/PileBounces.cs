@@ -120,7 +120,7 @@ internal sealed class PileBounces
             return double.PositiveInfinity;
         }
 
-        // The gap closes under constant forces: gap = c t + b t²/2.
+        // The gap closes under constant forces: gap = c t + b t²/2, with the closing speed c and its rate b.
         Vector3d pull = contact.Second < 0 ? a.Free.Acceleration : a.Free.Acceleration - _system.Members[contact.Second].Free.Acceleration;
         double square = (closing * closing) - (2.0 * contact.Gap * Vector3d.Dot(in pull, in contact.Normal));
         return contact.Gap <= ContactTolerances.Touching ? 0 : square > 0 ? 2.0 * contact.Gap / (closing + Math.Sqrt(square)) : double.PositiveInfinity;
