@@ -31,12 +31,16 @@ run() { DOTNET_EnableWriteXorExecute=0 QEMU_LD_PREFIX=$work/root qemu-aarch64-st
 # Under qemu, compiling at run time takes longer than running, so the code is compiled ahead of time; in .ci/run --full, at run time.
 ready=(-p:PublishReadyToRun=true)
 [[ ${FOOTBALL_FULL:-} != 1 ]] || ready=()
+# .ci/run plays every fifth golden line there, unless it runs in full.
+some=()
+[[ ${1:-} != golden || ${FOOTBALL_FULL:-} == 1 ]] || some=(--some)
 start=$SECONDS
 dotnet publish -c Release -m:1 -r linux-arm64 --self-contained "${ready[@]}" tests/Package.Consumer -p:RunAnalyzers=false -p:LibraryProject=true -p:TargetFrameworks=net10.0 --artifacts-path "$work/build" -o "$work/golden" > "$log" 2>&1 || fail "publish for linux-arm64"
 published=$(( SECONDS - start ))
 start=$SECONDS
-run "$work/golden/consumer" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"
-diff tests/Golden/golden.txt "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < tests/Golden/golden.txt) lines differ)"
+run "$work/golden/consumer" "${some[@]}" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"
+grep -Fxf "$work/hashes" tests/Golden/golden.txt | diff - "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < "$work/hashes") lines differ)"
+(( $(wc -l < "$work/hashes") * 5 >= $(wc -l < tests/Golden/golden.txt) )) || fail "only $(wc -l < "$work/hashes") lines"
 echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.txt, published in $published s, run in $(( SECONDS - start )) s"
 
 start=$SECONDS

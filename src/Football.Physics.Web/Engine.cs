@@ -71,8 +71,9 @@ internal static partial class Engine
     });
 
     /// <summary>Returns the golden kicks, line by line. Every runtime must produce the same lines.</summary>
+    /// <param name="every">1 for all lines. Above 1: only every so many kicks and scenes, and no totals.</param>
     [JSExport]
-    internal static string Golden() => string.Join('\n', GoldenShots.Lines());
+    internal static string Golden(int every) => string.Join('\n', GoldenShots.Lines(every));
 
     /// <summary>Stores objects under numbers.</summary>
     /// <param name="name">The noun for an object in messages.</param>

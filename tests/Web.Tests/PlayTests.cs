@@ -170,12 +170,15 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told)
     public async Task The_golden_kicks_have_the_same_bits_in_the_browser()
     {
         Window window = await browser.Playing();
-        await window.Page.EvaluateAsync("() => document.getElementById('bits').click()");
+        int every = SitePageTests.IsFull ? 1 : 5;
+        await window.Page.EvaluateAsync("every => { const bits = document.getElementById('bits'); bits.dataset.every = every; bits.click(); }", every);
         // On a busy machine, all golden lines take minutes.
         await window.Until("document.body.dataset.golden", patience: 900_000);
-        string golden = (await File.ReadAllTextAsync(Path.Combine(Browser.Repository, "tests", "Golden", "golden.txt"))).Trim();
-        Assert.Equal(golden, (await window.Said("golden"))!.Trim());
-        told.WriteLine($"{golden.Split('\n').Length} lines; {golden.Split('\n')[^1]}: browser and tests/Golden/golden.txt are equal");
+        string[] golden = await File.ReadAllLinesAsync(Path.Combine(Browser.Repository, "tests", "Golden", "golden.txt"));
+        string[] seen = (await window.Said("golden"))!.Trim().Split('\n');
+        Assert.Equal(golden.Where(new HashSet<string>(seen).Contains), seen);
+        Assert.True(seen.Length >= golden.Length / every);
+        told.WriteLine($"{seen.Length} of {golden.Length} lines: browser and tests/Golden/golden.txt are equal");
     }
 
     /// <summary>As every other way to the library has it, up to the longest kick that the page shows.</summary>

@@ -8,7 +8,7 @@ public sealed class SitePageTests(Browser browser, ITestOutputHelper told)
 {
     private static readonly string[] s_kinds = ["index.html", "gallery.html", "getting-started.html", "cookbook.html", "api.html", "api-ball.html"];
 
-    private static bool IsFull => Environment.GetEnvironmentVariable("FOOTBALL_FULL") == "1";
+    internal static bool IsFull => Environment.GetEnvironmentVariable("FOOTBALL_FULL") == "1";
 
     public static TheoryData<int, bool> Windows => new() { { 1280, false }, { 1280, true }, { 390, false }, { 390, true } };
 

@@ -259,8 +259,8 @@ export interface Physics extends Presets {
   ball(description?: SceneDescription | string): Ball;
   /** Computes the velocity and the spin of a kick at a speed and two angles. */
   kickVectors(kick: KickAngles): { velocity: Float64Array; spin: Float64Array };
-  /** Returns the hashes of a few hundred simulations. They are identical on every machine and in every language. */
-  goldenHashes(): string[];
+  /** Returns the hashes of a few hundred simulations. They are identical on every machine and in every language. With `every` above 1, only every so many. */
+  goldenHashes(every?: number): string[];
 }
 
 interface SceneAbout {
@@ -357,7 +357,7 @@ type Remote<T> = { [K in keyof T]: T[K] extends (...args: infer A) => infer R ? 
 export interface RemotePhysics extends Presets {
   scene(description?: SceneDescription | string): Promise<RemoteScene>;
   ball(description?: SceneDescription | string): Promise<RemoteBall>;
-  goldenHashes(): Promise<string[]>;
+  goldenHashes(every?: number): Promise<string[]>;
   terminate(): void;
 }
 

@@ -117,7 +117,7 @@ class Physics {
     return { velocity: v.slice(0, 3), spin: v.slice(3, 6) };
   }
 
-  goldenHashes() { return this.engine.Golden().split("\n"); }
+  goldenHashes(every = 1) { return this.engine.Golden(number("every", every)).split("\n"); }
 
   eventsAt(address, count, scene) {
     // Read the names first: a call can move the memory.

@@ -40,7 +40,7 @@ export class RemotePhysics {
 
   async ball(description = {}) { return (await this.scene(description)).ball(); }
 
-  async goldenHashes() { return (await this.line.call(0, "goldenHashes", [])).value; }
+  async goldenHashes(every = 1) { return (await this.line.call(0, "goldenHashes", [every])).value; }
 
   terminate() { this.line.worker.terminate(); }
 }
