@@ -176,7 +176,7 @@ def library(checks: Checks, path: pathlib.Path) -> None:
 def main(folder: str, version: str) -> None:
     here, checks = pathlib.Path(folder).resolve(), Checks(version)
     kinds = [
-        ("Football.Physics*.*nupkg", 12, lambda path: nuget(checks, path)),
+        ("Football.Physics*.*nupkg", 8, lambda path: nuget(checks, path)),
         ("football-physics-[0-9]*.tgz", 1, lambda path: npm(checks, path, work)),
         ("com.football.physics-*.tgz", 1, lambda path: unity(checks, path)),
         ("football-physics-godot-*.zip", 1, lambda path: godot(checks, path, "football_physics", "plugin.cfg")),
