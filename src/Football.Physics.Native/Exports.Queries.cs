@@ -74,7 +74,7 @@ internal static unsafe partial class Exports
     /// <param name="velocity">Receives the velocity of the best kick found, m/s, whatever the verdict.</param>
     /// <param name="spin">Receives the spin of that kick, rad/s, world frame.</param>
     /// <param name="miss">Receives the distance by which that kick misses the target, m; null to skip it.</param>
-    /// <param name="aimStatus">Receives the verdict, one of fp_aim_status; null to skip it.</param>
+    /// <param name="aimStatus">Receives the verdict, one of fp_aim_status; null to skip it. fp_aim_reason explains it.</param>
     /// <returns>FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_aim")]
     public static NativeStatus Aim([In] NativeScene* scene, [In] byte* requestJson, long bytes, [CArray(3)] double* velocity, [CArray(3)] double* spin, double* miss, int* aimStatus)
@@ -85,6 +85,7 @@ internal static unsafe partial class Exports
             Guard.Given(velocity, "velocity");
             Guard.Given(spin, "spin");
             AimResult kick = Requests.Aim(compiled, Requests.Text(requestJson, bytes, "request_json"));
+            ThreadMemory.Mine.Aim = kick;
             Put(kick.Velocity, velocity);
             Put(kick.Spin, spin);
             if (miss is not null)
@@ -102,6 +103,21 @@ internal static unsafe partial class Exports
         catch (Exception e)
         {
             return Guard.Fail(e);
+        }
+    }
+
+    /// <summary>Returns the reason for the verdict of this thread's last fp_aim: the bound that excludes every kick, the undefined quantity, or the nearest miss. A failed fp_aim does not change it.</summary>
+    /// <returns>a text in UTF-8, valid until the thread's next call of fp_aim_reason; "" after a hit, or if there was no fp_aim.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_aim_reason")]
+    public static byte* AimReason()
+    {
+        try
+        {
+            return ThreadMemory.Mine.AimReason();
+        }
+        catch (OutOfMemoryException)
+        {
+            return s_noError;
         }
     }
 

@@ -5,23 +5,28 @@ using System.Text.Unicode;
 
 namespace FootballPhysics.Native;
 
-/// <summary>The data of each calling thread: the log of its steps, created by its first call, and its last error.</summary>
+/// <summary>The data of each calling thread: the log of its steps, created by its first call, its last error, and its last aim.</summary>
 internal sealed unsafe class ThreadMemory
 {
     /// <summary>The maximum length of a message in bytes; a longer message is truncated.</summary>
-    private const int LongestError = 2048;
+    private const int LongestText = 2048;
 
     [ThreadStatic]
     private static ThreadMemory? t_mine;
 
     private readonly StepLog _log = new();
     private byte* _error;
+    private byte* _reason;
 
     private ThreadMemory()
     {
     }
 
-    ~ThreadMemory() => NativeMemory.Free(_error);
+    ~ThreadMemory()
+    {
+        NativeMemory.Free(_error);
+        NativeMemory.Free(_reason);
+    }
 
     /// <summary>The data of the calling thread.</summary>
     public static ThreadMemory Mine { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => t_mine ?? Make(); }
@@ -42,15 +47,13 @@ internal sealed unsafe class ThreadMemory
     public byte* Error => _error;
 
     /// <summary>Stores a message. A pointer that was returned before stays valid and shows the new message.</summary>
-    public void Fail(string sentence)
-    {
-        if (_error is null)
-        {
-            _error = (byte*)NativeMemory.AllocZeroed(LongestError);
-        }
+    public void Fail(string sentence) => Put(sentence, ref _error);
 
-        Copy(sentence, _error, LongestError);
-    }
+    /// <summary>The result of the last aim; a hit if there is none.</summary>
+    public AimResult Aim { get; set; }
+
+    /// <summary>Writes the reason for the last aim in UTF-8 with a terminating zero; empty for a hit.</summary>
+    public byte* AimReason() => Put(Aim.Reason ?? "", ref _reason);
 
     /// <summary>Writes a text as UTF-8 with a terminating zero. If it does not fit, truncates it between two characters.</summary>
     /// <returns>False if the message was truncated.</returns>
@@ -59,6 +62,17 @@ internal sealed unsafe class ThreadMemory
         OperationStatus status = Utf8.FromUtf16(text, new Span<byte>(into, capacity - 1), out _, out int used, replaceInvalidSequences: true);
         into[used] = 0;
         return status == OperationStatus.Done;
+    }
+
+    private static byte* Put(string text, ref byte* into)
+    {
+        if (into is null)
+        {
+            into = (byte*)NativeMemory.AllocZeroed(LongestText);
+        }
+
+        Copy(text, into, LongestText);
+        return into;
     }
 
     private static ThreadMemory Make() => t_mine = new ThreadMemory();

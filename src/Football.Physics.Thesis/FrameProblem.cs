@@ -104,7 +104,7 @@ internal sealed class FrameProblem
 
         // Rotate the extreme kick horizontally, as later iterations of the thesis would.
         extreme = Solution(in kick, kick.Elevation == _bounds.Highest ? Miss : lowMiss, 0);
-        extreme.Status = _frame.IsDegenerate ? AimStatus.Degenerate : AimStatus.OutOfReach;
+        extreme.Reason = _frame.IsDegenerate ? AimReason.NoDirection : AimReason.SameSide;
         return false;
     }
 
@@ -126,7 +126,7 @@ internal sealed class FrameProblem
     /// <summary>Returns the solution for a kick and its miss, in m.</summary>
     public AimSolution Solution(in Kick kick, double miss, int iterations) => new()
     {
-        Status = miss <= _tolerance ? AimStatus.Hit : AimStatus.NotConverged,
+        Reason = miss <= _tolerance ? AimReason.Hit : AimReason.NoneFound,
         Kick = kick,
         Forward = _frame.Forward,
         Speed = _speed,

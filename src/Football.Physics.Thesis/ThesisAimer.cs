@@ -67,6 +67,14 @@ public sealed class ThesisAimer
             AimMethod.TwoPoint => _twoPoint.Find(request),
             _ => throw Check.Refusal("aim.method", method.ToString(), "Direct | Angle | Bisection | TwoPoint"),
         };
-        return Direct.Report(request, in solution, measure, passes: method == AimMethod.TwoPoint);
+        AimResult result = Direct.Report(request, in solution, measure, passes: method == AimMethod.TwoPoint);
+        if (result.Cause != AimReason.SameSide)
+        {
+            return result;
+        }
+
+        // Two kicks that miss exclude no other kick, so the library's own bounds decide.
+        AimResult own = Direct.Find(request.Waypoint is null ? request : request with { Waypoint = null }, measure: false);
+        return own.Status == AimStatus.OutOfReach ? Aimer.Failed(in result, own.Cause) : result;
     }
 }

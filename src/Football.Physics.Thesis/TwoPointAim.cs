@@ -45,7 +45,7 @@ internal sealed class TwoPointAim
         {
             // Without a waypoint between the ball and the target, aim at the target alone.
             AimSolution alone = _bisection.Find(request);
-            alone.Status = alone.Status == AimStatus.Hit ? AimStatus.Hit : AimStatus.Degenerate;
+            alone.Reason = alone.Reason == AimReason.Hit ? AimReason.Hit : AimReason.NoOrder;
             return alone;
         }
 
@@ -89,7 +89,7 @@ internal sealed class TwoPointAim
 
         var solution = new AimSolution
         {
-            Status = bestMiss <= request.Tolerance ? AimStatus.Hit : AimStatus.NotConverged,
+            Reason = bestMiss <= request.Tolerance ? AimReason.Hit : AimReason.NoneFound,
             Kick = best,
             Forward = _frame.Forward,
             Speed = request.Speed,

@@ -147,6 +147,7 @@ internal sealed class WebScene
             Json.Write(json, "miss", found.Miss);
             Json.Write(json, "time", found.Time);
             json.WriteString("blockedBy", found.BlockedBy);
+            json.WriteString("reason", found.Reason);
         });
     }
 }

@@ -19,6 +19,25 @@ static void expect(fp_status want, fp_status got, const char *part, const char *
 
 static fp_status create(const char *json, fp_scene **scene) { return fp_scene_create(json, (int64_t)strlen(json), scene); }
 
+static fp_status aim(const fp_scene *scene, const char *json, int32_t *status)
+{
+    double velocity[3], spin[3];
+    return fp_aim(scene, json, (int64_t)strlen(json), velocity, spin, NULL, status);
+}
+
+/* An aim at a target, whose reason must begin with a text. */
+static void reason(const fp_scene *scene, const char *target, fp_aim_status want, const char *begin)
+{
+    char json[200];
+    int32_t got = -1;
+    snprintf(json, sizeof json, "{\"from\": [0,0,0], \"target\": %s, \"speed\": 25}", target);
+    told++;
+    if (aim(scene, json, &got) != FP_OK || got != want || strncmp(fp_aim_reason(), begin, strlen(begin)) || (want == FP_AIM_HIT) != !fp_aim_reason()[0]) {
+        printf("aim at %s: verdict %d, \"%s\"; expected verdict %d and \"%s\"\n", target, (int)got, fp_aim_reason(), (int)want, begin);
+        wrong++;
+    }
+}
+
 int main(void)
 {
     double zero[3] = { 0, 0, 0 }, nan[3] = { 0, NAN, 0 }, fast[3] = { 2000, 0, 0 }, kick[3] = { 1, 6, -18 }, path[8], miss;
@@ -77,6 +96,11 @@ int main(void)
     EXPECT(FP_BUFFER, "rows is 2; the look-ahead has 11", fp_look_ahead(scene, &state, 1, 0.1, path, 2, &written));
     EXPECT(FP_SCENE, "target is missing", fp_aim(scene, "{\"from\": [0,0,0], \"speed\": 20}", 30, path, path + 3, &miss, &count));
     EXPECT(FP_ARGUMENT, "velocity is null", fp_aim(scene, "{}", 2, NULL, path, &miss, &count));
+    EXPECT(FP_SCENE, "targetVelocity cannot be combined with", aim(scene, "{\"from\": [0,0,0], \"target\": [0,1,-20], \"through\": [0,2,-10], \"targetVelocity\": [1,0,0], \"speed\": 20}", &count));
+    reason(scene, "[0,1,-20]", FP_AIM_HIT, "");
+    reason(scene, "[0,1,-200]", FP_AIM_OUT_OF_REACH, "Every allowed kick passes below the target or falls short of it");
+    reason(scene, "[0,60,-10]", FP_AIM_OUT_OF_REACH, "Every allowed kick has too little energy");
+    reason(scene, "[0,0,0]", FP_AIM_DEGENERATE, "The direction of the kick is undefined");
     EXPECT(FP_ABI, "allowed: (144, 208, 96, 72, 72, 96, 288, 232, 256, 96, 64, 792, 272, 104)", fp_check_structs(144, 208, 96, 72, 72, 96, 288, 232, 0, 96, 64, 792, 272, 104));
     if (fp_match_create(players, (int64_t)strlen(players), 2, 0.01, &match) != FP_OK || fp_match_read_bodies(match, 0, 1, &body) != FP_OK || fp_player_default(&player) != FP_OK) return 2;
     hash = fp_match_hash(match);

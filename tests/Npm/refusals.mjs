@@ -32,6 +32,7 @@ const cases = [
   [() => physics.scene({ bals: 1 }), /^bals is unknown .* did you mean ball\?$/],
   [() => physics.scene({ bodies: [{ shape: "sphere", center: [0, 0, 0], radius: -1 }] }), /^bodies\[0\].*radius is -1; allowed: /],
   [() => scene.aim({}), "from is missing; allowed: [x, y, z], 3 finite numbers."],
+  [() => scene.aim({ from: [0, 0, 0], target: [0, 1, -20], through: [0, 2, -10], targetVelocity: [1, 0, 0], speed: 20 }), /targetVelocity cannot be combined with/],
   [() => scene.body("arm"), "body is \"arm\"; allowed: leg."],
   [() => scene.bodies[0].place([0, 0]), "position is [0,0]; allowed: [x, y, z]."],
   [() => { scene.bodies[0].place([1e9, 0, 0]); ball.step(0.1); }, /^bodies\[0\] \(leg\): position is .*; allowed: /],
@@ -46,5 +47,15 @@ for (const [call, message] of cases) {
     return true;
   }, String(call));
   assert.equal(ball.hash(), hash, String(call));
+}
+const open = physics.scene();
+for (const [target, status, reason] of [
+  [[0, 1, -20], "hit", /^null$/],
+  [[0, 1, -200], "outOfReach", /^Every allowed kick passes below the target or falls short of it/],
+  [[0, 0, 0], "degenerate", /^The direction of the kick is undefined/],
+]) {
+  const found = open.aim({ from: [0, 0, 0], target, speed: 25 });
+  assert.equal(found.status, status);
+  assert.match(`${found.reason}`, reason);
 }
 console.log(`${cases.length} calls with bad input throw the one message and change nothing`);

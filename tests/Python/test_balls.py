@@ -157,6 +157,11 @@ class Arrays(unittest.TestCase):
         found = balls.aim([[2, 1.5, -20], [-2, 0.5, -18]], speed=25, spin={"side": 20})
         self.assertTrue(found.hit.all())
         self.assertLess(found.miss.max(), 0.011)
+        self.assertEqual([None, None], found.reason)
+        far = balls.aim([[2, 1.5, -20], [0, 1, -200]], speed=25)
+        self.assertEqual((0, 1), tuple(far.status))
+        self.assertIsNone(far.reason[0])
+        self.assertRegex(far.reason[1], "^Every allowed kick passes below the target or falls short of it")
         balls.kick(None, found.velocity, found.spin)
         start = balls.state
         ends = balls.derivatives(0.5)

@@ -1196,9 +1196,14 @@ FOOTBALL_API fp_status fp_look_ahead(const fp_scene* scene, const fp_state* stat
     velocity: Receives the velocity of the best kick found, m/s, whatever the verdict.
     spin: Receives the spin of that kick, rad/s, world frame.
     miss: Receives the distance by which that kick misses the target, m; null to skip it.
-    aim_status: Receives the verdict, one of fp_aim_status; null to skip it.
+    aim_status: Receives the verdict, one of fp_aim_status; null to skip it. fp_aim_reason explains it.
     Returns FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
 FOOTBALL_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t bytes, double velocity[3], double spin[3], double* miss, int32_t* aim_status);
+
+/** Returns the reason for the verdict of this thread's last fp_aim: the bound that excludes every kick, the undefined quantity, or the
+    nearest miss. A failed fp_aim does not change it.
+    Returns a text in UTF-8, valid until the thread's next call of fp_aim_reason; "" after a hit, or if there was no fp_aim. */
+FOOTBALL_API const char* fp_aim_reason(void);
 
 /** Runs a ball to an event or a time, and computes the derivatives of its final position with respect to the launch, in one run.
     scene: The scene.

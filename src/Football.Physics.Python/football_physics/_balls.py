@@ -65,6 +65,8 @@ class AimResult(NamedTuple):
     spin: Floats
     miss: Floats
     status: NDArray[np.int32]
+    reason: List[Optional[str]]
+    """Why each kick does not hit: the bound that excludes every kick, the undefined quantity, or the nearest miss; None for a hit."""
 
     @property
     def hit(self) -> NDArray[np.bool_]:
@@ -226,11 +228,12 @@ class Balls:
         request: further members of an aim in a scenario, by name: ``spin={"side": 40}``, ``elevation={"max": 60}``, ``through=[x, y, z]``, ``arc="high"`` ...
         """
         targets = _rows(targets, self._n, "targets")
-        result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32))
+        result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32), [])
         for ball in range(self._n):
             text = _native.text({"from": self.position[ball], "target": targets[ball], "speed": speed, **request})
             _native.check(_native.aim(
                 self._handle, text, len(text), result.velocity[ball].ctypes.data, result.spin[ball].ctypes.data, result.miss[ball:].ctypes.data, result.status[ball:].ctypes.data))
+            result.reason.append(_native.aim_reason().decode() or None)
         return result
 
     def derivatives(self, seconds: ArrayLike, dt: float = 0.01, stop: str = "time") -> Derivatives:

@@ -184,6 +184,8 @@ export interface AimResult {
   time: number | null;
   /** The object that a blocked kick hits. */
   blockedBy: string | null;
+  /** The bound that excludes every kick, the undefined quantity, or the nearest miss, as a sentence; null for a hit. */
+  reason: string | null;
 }
 
 export interface KeeperPlayer {

@@ -288,7 +288,7 @@ internal readonly struct AimSteps
 /// <summary>The kick that a method found, by its own estimate.</summary>
 internal struct AimSolution
 {
-    public AimStatus Status;
+    public AimReason Reason;
     public Kick Kick;
 
     /// <summary>The horizontal unit direction to the target, from which the kick's azimuth is measured.</summary>
@@ -311,6 +311,9 @@ internal struct AimSolution
 
     /// <summary>The arc of the kick; null if it is not known yet.</summary>
     public AimArc? Arc;
+
+    /// <summary>The status, by the method's own estimate.</summary>
+    public readonly AimStatus Status => Reason.Status();
 
     /// <summary>Returns the velocity and spin of the kick.</summary>
     public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);

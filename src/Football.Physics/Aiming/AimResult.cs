@@ -9,9 +9,10 @@ public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
 
-    internal AimResult(AimStatus status, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured, AimArc arc, bool rolls, int iterations, int simulations, string? blockedBy)
+    internal AimResult(AimReason reason, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured, AimArc arc, bool rolls, int iterations, int simulations, string? blockedBy)
     {
-        Status = status;
+        Cause = reason;
+        Status = reason.Status();
         Velocity = velocity;
         Spin = spin;
         Miss = measured.Distance;
@@ -90,6 +91,16 @@ public readonly struct AimResult : IFormattable
 
     /// <summary>The name of the object that blocks the kick, such as "left post"; null if the status is not <see cref="AimStatus.Blocked"/>.</summary>
     public string? BlockedBy { get; init; }
+
+    /// <summary>The reason for the status, in one or two English sentences; null for a hit.</summary>
+    /// <remarks>
+    /// If the target is out of reach, the reason names the bound that excludes every kick; if the request is degenerate, the undefined quantity.
+    /// Otherwise it contains the nearest miss. The text is created by each call, so do not read it in every frame.
+    /// </remarks>
+    public string? Reason => Cause.Text(in this);
+
+    /// <summary>The reason for the status.</summary>
+    internal AimReason Cause { get; }
 
     /// <summary>Returns the kick as one line of text.</summary>
     public override string ToString() => FormattableString.Invariant(

@@ -102,16 +102,16 @@ public sealed partial class Aimer
         AimResult result = Report(request, in kick, measure: true);
         bool isOff = result.Status == AimStatus.Hit
             && !(Math.Abs(SpeedAt(request, result.Velocity, result.Spin, result.Time, result.Rolls) - speed) <= LargestArrivalError);
-        return isOff ? Failed(in result, AimStatus.NotConverged) : result;
+        return isOff ? Failed(in result, AimReason.OtherSpeed) : result;
     }
 
     /// <summary>Returns the result if no kick was found that arrives at this speed: that of the closest one, or else of the fastest kick.</summary>
     internal AimResult NoArrival(AimRequest request, AimSolution? closest, double speed)
     {
         AimResult kick = closest is { } one ? ReportArrival(request, in one, speed) : Find(request);
-        var bound = new EnergyBound(_context, request);
         bool misses = kick.Status is AimStatus.NotConverged or AimStatus.OutOfReach || (closest is null && kick.HitsTarget);
-        return misses ? Failed(in kick, Unreached(bound.IsTooHigh || bound.IsSlowerThan(speed))) : kick;
+        AimReason miss = kick.Miss <= request.Tolerance ? AimReason.OtherSpeed : AimReason.NoneFound;
+        return misses ? Failed(in kick, new EnergyBound(_context, request).ReasonFor(speed, miss)) : kick;
     }
 
     /// <summary>Finds the kick along the ground that arrives at a given speed.</summary>
@@ -182,6 +182,7 @@ public sealed partial class Aimer
         return (touches ? _arrivalLog.Events[_arrivalLog.Events.Count - 1].VelocityBefore : state.Velocity).Length;
     }
 
-    internal static AimResult Failed(in AimResult kick, AimStatus status) => new(
-        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.WaypointMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
+    /// <summary>Returns a kick with another reason.</summary>
+    internal static AimResult Failed(in AimResult kick, AimReason reason) => new(
+        reason, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.WaypointMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
 }

@@ -92,8 +92,7 @@ public sealed partial class Aimer
                 // The flights of one speed do not exclude slower kicks: with a lower bound on the elevation, the fastest one may fly over the target.
                 _context.Steps = AimSteps.Long;
                 solution = _direct.Find(request);
-                bool excludes = solution.Status == AimStatus.OutOfReach && (_direct.IsShort || new EnergyBound(_context, request).IsTooHigh);
-                solution.Status = solution.Status == AimStatus.OutOfReach ? Unreached(excludes) : solution.Status;
+                solution.Reason = solution.Reason == AimReason.BetweenBounds ? AimReason.NoneFound : solution.Reason;
             }
 
             _context.Steps = AimSteps.Long;
@@ -190,13 +189,9 @@ public sealed partial class Aimer
 
         // The spins are free, so a bound for the spins of one search says nothing about the others.
         AimSolution solution = _directTwoPoint.Find(request);
-        solution.Status = solution.Status == AimStatus.OutOfReach ? Unreached(new EnergyBound(_context, request).IsTooHigh) : solution.Status;
+        solution.Reason = solution.Status == AimStatus.OutOfReach ? new EnergyBound(_context, request).Reason : solution.Reason;
         return solution;
     }
-
-    /// <summary>Returns the status of a request for which no kick was found.</summary>
-    /// <param name="isExcluded">True if a bound holds for every kick.</param>
-    private static AimStatus Unreached(bool isExcluded) => isExcluded ? AimStatus.OutOfReach : AimStatus.NotConverged;
 
     private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
     {
@@ -236,14 +231,13 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            var bound = new EnergyBound(_context, request);
-            solution.Status = Unreached(bound.IsTooHigh || bound.IsTooFarAt(time));
+            solution.Reason = new EnergyBound(_context, request).ReasonAt(time);
         }
 
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         bool there = IsThere(request, in velocity, in spin, time, out MeasuredMiss measured, out isEarly);
-        AimStatus status = there ? AimStatus.Hit : Missed(in solution, in measured);
-        return Result(request, status, in solution, in velocity, in spin, in measured);
+        AimReason reason = there ? AimReason.Hit : Missed(in solution, in measured);
+        return Result(request, isEarly && reason == AimReason.Deviates ? AimReason.TooEarly : reason, in solution, in velocity, in spin, in measured);
     }
 
     /// <summary>True if a kick hits the target at a given time. A kick that passes the target at a different time is not a hit.</summary>
@@ -293,41 +287,41 @@ public sealed partial class Aimer
         {
             double? throughMiss = request.Waypoint is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
-            return Result(request, Judge(request, solution.Status, in estimated, passes), in solution, in velocity, in spin, in estimated);
+            return Result(request, Judge(request, solution.Reason, in estimated, passes), in solution, in velocity, in spin, in estimated);
         }
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
-        // The measured miss alone decides whether the kick hits. The method's status only explains a miss.
-        AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
-            : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured, passes)
+        // The measured miss alone decides whether the kick hits. The method's reason only explains a miss.
+        AimReason reason = _context.Frame(request).IsDegenerate ? AimReason.NoDirection
+            : measured.Distance <= request.Tolerance ? Judge(request, AimReason.Hit, in measured, passes)
             : Missed(in solution, in measured);
-        return Result(request, status, in solution, in velocity, in spin, in measured);
+        return Result(request, reason, in solution, in velocity, in spin, in measured);
     }
 
-    /// <summary>Returns the status of a kick whose measured flight misses: not converged if no object blocks an expected hit, otherwise
-    /// blocked.</summary>
-    private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
-        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
+    /// <summary>Returns the reason for a kick whose measured flight misses: an expected hit is either blocked by an object, or deviates.</summary>
+    private static AimReason Missed(in AimSolution solution, in MeasuredMiss measured) =>
+        solution.Reason != AimReason.Hit ? solution.Reason : measured.Blocker == MeasuredFlight.NoThing ? AimReason.Deviates : AimReason.InTheWay;
 
     /// <summary>Downgrades a hit that misses the waypoint.</summary>
-    private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>
-        status == AimStatus.Hit && passes && !(measured.ThroughDistance <= request.WaypointTolerance) ? AimStatus.WaypointMissed : status;
+    private static AimReason Judge(AimRequest request, AimReason reason, in MeasuredMiss measured, bool passes) =>
+        reason == AimReason.Hit && passes && !(measured.ThroughDistance <= request.WaypointTolerance) ? AimReason.PastWaypoint : reason;
 
     private AimResult Result(
-        AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
+        AimRequest request, AimReason reason, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
     {
         // The thesis' methods count their own iterations. Save the counters now, because later flights are not part of the search.
+        reason = reason == AimReason.NoneFound && _context.IsSpent ? AimReason.Spent : reason;
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
         int simulations = _context.Simulations;
 
         // Rolls, misses, and flat kicks at a target of at least the same height count as the low arc. Otherwise, the sign of d speed/d time determines the arc.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, in velocity);
-        bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;
+        bool hits = reason is AimReason.Hit or AimReason.PastWaypoint;
         bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
         AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _general.ArcOf(request, in solution));
-        string? blocker = status == AimStatus.Blocked ? _context.Miss.NameOf(measured.Blocker) : null;
-        return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations, blocker);
+        string? blocker = reason == AimReason.InTheWay ? _context.Miss.NameOf(measured.Blocker) : null;
+        return new AimResult(reason, in velocity, in spin, in measured, arc, rolls, iterations, simulations, blocker);
     }
 }

@@ -13,6 +13,11 @@ internal static class AimTable
         Table table = new Table().Border(TableBorder.Simple).AddColumns("", "");
         void Row(string name, FormattableString value) => table.AddRow(Cell.Of(name), Cell.Of(value.ToString(CultureInfo.InvariantCulture)));
         Row("status", $"{Words.Of(kick.Status)}");
+        if (kick.Reason is { } reason)
+        {
+            Row("reason", $"{reason}");
+        }
+
         if (kick.BlockedBy is { } blocker)
         {
             Row("in the way", $"{blocker}");

@@ -28,6 +28,11 @@ internal static class AimWriter
         json.WriteNumber("simulations", result.Simulations);
         json.WriteString("arc", Words.Of(result.Arc));
         json.WriteBoolean("rolls", result.Rolls);
+        if (result.Reason is { } reason)
+        {
+            json.WriteString("reason", reason);
+        }
+
         if (result.BlockedBy is { } blocker)
         {
             json.WriteString("blockedBy", blocker);

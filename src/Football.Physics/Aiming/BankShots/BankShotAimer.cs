@@ -94,8 +94,8 @@ public sealed class BankShotAimer
         }
 
         _flight.Best.Vectors(request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        AimStatus status = _flight.Hits ? AimStatus.Hit : AimStatus.NotConverged;
-        return new AimResult(status, in velocity, in spin, _flight.Miss, AimArc.Low, rolls: false, _flight.Iterations, _flight.Simulations, blockedBy: null);
+        AimReason reason = _flight.Hits ? AimReason.Hit : AimReason.NoSequence;
+        return new AimResult(reason, in velocity, in spin, _flight.Miss, AimArc.Low, rolls: false, _flight.Iterations, _flight.Simulations, blockedBy: null);
     }
 
     /// <summary>Solves kicks from guesses of their contacts, and corrects them by their miss.</summary>

@@ -41,9 +41,6 @@ internal sealed class DirectAim
         _closest = new ClosestKick(context);
     }
 
-    /// <summary>True if all flights of the last search over the elevations pass below the target or end short of it.</summary>
-    public bool IsShort => _closest.IsShort;
-
     public AimSolution Find(AimRequest request) => Find(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin);
 
     /// <summary>Finds a kick with a speed, an arc and spins that may differ from the request's.</summary>
@@ -65,7 +62,7 @@ internal sealed class DirectAim
 
             // On bent paths, the steep kick may arrive first. The kick that arrives first is the low arc.
             Approach steeper = _closest.Find(_problem, AimArc.High);
-            return steeper.Miss <= _problem.HitMiss && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
+            return steeper.Miss <= _problem.HitMiss && steeper.Time < solution.Time ? Solution(in steeper, AimReason.Hit) : solution;
         }
 
         // If no flights are left, return a kick straight at the target.
@@ -73,7 +70,7 @@ internal sealed class DirectAim
         {
             return new AimSolution
             {
-                Status = AimStatus.NotConverged,
+                Reason = AimReason.NoneFound,
                 Kick = frame.Turned(_problem.Spins, frame.Target - frame.From, _problem.Bounds),
                 Forward = frame.Forward,
                 Speed = speed,
@@ -110,10 +107,10 @@ internal sealed class DirectAim
         // If the target is straight above or below, only the elevation matters. If it is at the ball, there is no direction.
         return Solution(
             in found,
-            found.Miss <= request.Tolerance ? AimStatus.Hit
-                : frame.IsDegenerate ? AimStatus.Degenerate
-                : !hits && IsOutOfReach(request, in frame, in found) ? AimStatus.OutOfReach
-                : AimStatus.NotConverged);
+            found.Miss <= request.Tolerance ? AimReason.Hit
+                : frame.IsDegenerate ? AimReason.NoDirection
+                : hits ? AimReason.NoneFound
+                : Excluding(request, in frame, in found));
     }
 
     /// <summary>Finds the slowest kick along the ground that reaches the target.</summary>
@@ -175,13 +172,13 @@ internal sealed class DirectAim
 
         _problem.Set(request, speed, request.TopSpin, request.SideSpin);
         Approach roll = _closest.Roll(_problem);
-        solution = Solution(in roll, AimStatus.Hit);
+        solution = Solution(in roll, AimReason.Hit);
         return roll.Miss <= _problem.HitMiss;
     }
 
-    private AimSolution Solution(in Approach found, AimStatus status) => new()
+    private AimSolution Solution(in Approach found, AimReason reason) => new()
     {
-        Status = status,
+        Reason = reason,
         Kick = found.Kick,
         Forward = _problem.Frame.Forward,
         Speed = _problem.Speed,
@@ -200,7 +197,7 @@ internal sealed class DirectAim
 
         solution = new AimSolution
         {
-            Status = AimStatus.Hit,
+            Reason = AimReason.Hit,
             Kick = _problem.KickOf(_newton.X),
             Forward = _problem.Frame.Forward,
             Speed = _problem.Speed,
@@ -211,9 +208,13 @@ internal sealed class DirectAim
         return true;
     }
 
-    /// <summary>True if a bound shows that no kick within the bounds hits: its energy, or the flights over all elevations.</summary>
-    private bool IsOutOfReach(AimRequest request, in TargetFrame frame, in Approach found) =>
-        new EnergyBound(_context, request).IsTooHigh || (found.Miss > request.Tolerance + StepError && !IsBent(in frame) && _closest.IsOutOfReach());
+    /// <summary>Returns the bound that shows that no kick within the bounds hits: its energy, or the flights over all elevations.</summary>
+    private AimReason Excluding(AimRequest request, in TargetFrame frame, in Approach found)
+    {
+        AimReason reason = new EnergyBound(_context, request).Reason;
+        bool isExcluded = reason == AimReason.NoneFound && found.Miss > request.Tolerance + StepError && !IsBent(in frame) && _closest.IsOutOfReach();
+        return !isExcluded ? reason : _closest.IsShort ? AimReason.TooShort : AimReason.BetweenBounds;
+    }
 
     /// <summary>True if a miss from the elevation search is inconclusive, because it is close or the paths bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>

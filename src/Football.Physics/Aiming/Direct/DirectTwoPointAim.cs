@@ -96,7 +96,7 @@ internal sealed class DirectTwoPointAim
         bool hits = _newton.Solve() && _problem.StaysClear(_newton.X, _newton.R);
         return new AimSolution
         {
-            Status = hits ? AimStatus.Hit : AimStatus.NotConverged,
+            Reason = hits ? AimReason.Hit : AimReason.NoneFound,
             Kick = _problem.KickOf(_newton.X),
             Forward = _problem.Frame.Forward,
             Speed = _problem.Speed,

@@ -31,14 +31,25 @@ internal readonly struct EnergyBound
         _most = request.Speed + _wind.Length + fromSpin;
     }
 
+    /// <summary>Returns the reason if the bound excludes every kick; otherwise, that the search found none.</summary>
+    public AimReason Reason => IsTooHigh ? AimReason.TooHigh : AimReason.NoneFound;
+
     /// <summary>True if the target is higher than the energy of any kick.</summary>
     public bool IsTooHigh => _holds && _targetVelocity.Y == 0 && 2.0 * _gravity * (_toTarget.Y - _tolerance) > _most * _most;
 
+    /// <summary>Returns the reason for a time of arrival, in s.</summary>
+    public AimReason ReasonAt(double time) => Reason == AimReason.NoneFound && IsTooFarAt(time) ? AimReason.TooFarInTime : Reason;
+
+    /// <summary>Returns the reason for an arrival speed, in m/s.</summary>
+    /// <param name="speed">The arrival speed.</param>
+    /// <param name="miss">The reason if the bound excludes nothing.</param>
+    public AimReason ReasonFor(double speed, AimReason miss) => IsTooHigh ? AimReason.TooHigh : IsSlowerThan(speed) ? AimReason.TooSlow : miss;
+
     /// <summary>True if the target is farther away at a time, in s, than any kick can be: |u| ≤ |u₀| + g t.</summary>
-    public bool IsTooFarAt(double time) =>
+    private bool IsTooFarAt(double time) =>
         _holds && (_toTarget + (time * (_targetVelocity - _wind))).Length - _tolerance > time * (_most + (0.5 * _gravity * time));
 
     /// <summary>True if every kick is slower than a speed, in m/s, at the target.</summary>
-    public bool IsSlowerThan(double speed) =>
+    private bool IsSlowerThan(double speed) =>
         _holds && _targetVelocity.Y == 0 && speed > _wind.Length && (speed - _wind.Length) * (speed - _wind.Length) > (_most * _most) - (2.0 * _gravity * (_toTarget.Y - _tolerance));
 }

@@ -363,7 +363,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>Returns the solution for the unknowns.</summary>
     public AimSolution Solution(double[] x) => new()
     {
-        Status = AimStatus.Hit,
+        Reason = AimReason.Hit,
         Kick = KickOf(x),
         Forward = _frame.Forward,
         Speed = _isFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
