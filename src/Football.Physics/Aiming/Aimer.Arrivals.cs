@@ -5,15 +5,7 @@ namespace FootballPhysics.Aiming;
 /// <content>Kicks that arrive at a given speed.</content>
 public sealed partial class Aimer
 {
-    /// <summary>The maximum number of rounds in the search for the kick's speed or time; they resolve the arrival speed to 1 µm/s.</summary>
-    private const int ArrivalRounds = 40;
-
-    /// <summary>The number of rolls that are tried from the fastest one downwards, and the ratio of their speeds.</summary>
-    private const int RollSpeeds = 16;
-    private const double SlowerRoll = 0.8;
-
     private const double ArrivalStep = 0.02;
-    private const double ArrivalCloseness = 1e-6;
 
     /// <summary>The maximum error of the arrival speed, in m/s.</summary>
     internal const double LargestArrivalError = 0.01;
@@ -35,35 +27,36 @@ public sealed partial class Aimer
         RefuseThrough(request);
         Check.Within("aim.arrival.speed", speed, 0, Limits.Speed, exclusiveLow: true);
 
-        // Along the ground, a faster kick arrives faster. In the air, search over the time of flight: the arrival speed changes smoothly with time,
-        // whereas each kick speed has two arcs.
-        if (_context.Shooting.CanRoll(request) && Rolling(request, speed, out AimResult roll))
+        // Search over the time, with which the arrival speed changes smoothly. A kick speed can have two flights, and in wind or on a slope two rolls.
+        _arrivals ??= new ArrivalTimes(this);
+        if (_context.Shooting.CanRoll(request) && FastestRoll(request, speed, out AimSolution roll)
+            && _arrivals.Find(request, speed, roll, out AimResult kick) && kick.Status is AimStatus.Hit or AimStatus.Blocked)
         {
-            return roll;
+            return kick;
         }
 
-        _arrivals ??= new ArrivalTimes(this);
-        return _arrivals.Find(request, speed);
+        return _arrivals.Find(request, speed, roll: null, out kick) ? kick : NoArrival(request, _arrivals.Closest, speed);
     }
 
-    /// <summary>Finds the kick that flies to the target in a given time, measures it, and returns its arrival speed.</summary>
+    /// <summary>Finds the kick that flies or rolls to the target in a given time, measures it, and returns its arrival speed.</summary>
     /// <param name="request">The request.</param>
-    /// <param name="time">The time of flight, in s.</param>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="rolls">True for a kick along the ground.</param>
     /// <param name="isBetween">True if the time is between two times that have a kick. A kick then exists, and finer steps find it.</param>
     /// <param name="near">The hit at another time, to start from if the closed form is too far off; its time is 0 if there is none.</param>
     /// <param name="kick">The kick.</param>
     /// <param name="arrival">The arrival speed, in m/s.</param>
     /// <returns>True if a kick reaches the target at this time and hits nothing before.</returns>
-    internal bool TryArrival(AimRequest request, double time, bool isBetween, in AimSolution near, out AimSolution kick, out double arrival)
+    internal bool TryArrival(AimRequest request, double time, bool rolls, bool isBetween, in AimSolution near, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
-        bool hits = TryArrival(request, time, in near, out kick, out arrival, out bool isEarly);
+        bool hits = TryArrival(request, time, rolls, in near, out kick, out arrival, out bool isEarly);
         if (isEarly)
         {
             // The kick is within tolerance but arrives too early: solve again for a closer kick, which arrives on time.
             _context.Begin(request.MaximumIterations);
             _general.IsTimely = true;
-            hits = TryArrival(request, time, in near, out kick, out arrival, out _);
+            hits = TryArrival(request, time, rolls, in near, out kick, out arrival, out _);
             _general.IsTimely = false;
         }
 
@@ -72,19 +65,19 @@ public sealed partial class Aimer
             // A kick that grazes the jump in the drag law requires short steps: search again.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
-            hits = TryArrival(request, time, in near, out kick, out arrival, out _);
+            hits = TryArrival(request, time, rolls, in near, out kick, out arrival, out _);
             _context.Steps = AimSteps.Long;
         }
 
         return hits;
     }
 
-    private bool TryArrival(AimRequest request, double time, in AimSolution near, out AimSolution kick, out double arrival, out bool isEarly)
+    private bool TryArrival(AimRequest request, double time, bool rolls, in AimSolution near, out AimSolution kick, out double arrival, out bool isEarly)
     {
-        kick = _general.FlightAtTime(request, time, in near);
+        kick = _general.AtTime(request, time, rolls, in near);
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
         bool there = IsThere(request, in velocity, in spin, time, out _, out isEarly);
-        arrival = SpeedAt(request, in velocity, in spin, time, rolls: false);
+        arrival = SpeedAt(request, in velocity, in spin, time, rolls);
         return there;
     }
 
@@ -94,6 +87,21 @@ public sealed partial class Aimer
         _context.Begin(request.MaximumIterations);
         _general.Slowest(request, out AimSolution slowest);
         return slowest.Time > 0 ? slowest.Time : 1.0;
+    }
+
+    /// <summary>Finds the fastest roll to the target.</summary>
+    /// <returns>False if the roll does not reach the target, or no roll can arrive at a speed, in m/s.</returns>
+    private bool FastestRoll(AimRequest request, double speed, out AimSolution roll)
+    {
+        _context.Begin(request.MaximumIterations);
+        if (!_direct.Rolls(request, request.Speed, out roll))
+        {
+            return false;
+        }
+
+        // In still air over level ground, no other roll arrives faster.
+        roll.Vectors(out Vector3d velocity, out Vector3d spin);
+        return !_context.Turns(request.TargetVelocity) || SpeedAt(request, in velocity, in spin, roll.Time, rolls: true) >= speed - LargestArrivalError;
     }
 
     /// <summary>Reports a kick for an arrival speed; the status is "not converged" if its actual arrival speed differs.</summary>
@@ -106,70 +114,12 @@ public sealed partial class Aimer
     }
 
     /// <summary>Returns the result if no kick was found that arrives at this speed: that of the closest one, or else of the fastest kick.</summary>
-    internal AimResult NoArrival(AimRequest request, AimSolution? closest, double speed)
+    private AimResult NoArrival(AimRequest request, AimSolution? closest, double speed)
     {
         AimResult kick = closest is { } one ? ReportArrival(request, in one, speed) : Find(request);
         bool misses = kick.Status is AimStatus.NotConverged or AimStatus.OutOfReach || (closest is null && kick.HitsTarget);
         AimReason miss = kick.Miss <= request.Tolerance ? AimReason.OtherSpeed : AimReason.NoneFound;
         return misses ? Failed(in kick, new EnergyBound(_context, request).ReasonFor(speed, miss)) : kick;
-    }
-
-    /// <summary>Finds the kick along the ground that arrives at a given speed.</summary>
-    private bool Rolling(AimRequest request, double speed, out AimResult best)
-    {
-        // A faster roll arrives faster, so take slower and slower ones until one arrives too slowly, or stops short of the target.
-        best = default;
-        double high = request.Speed;
-        double atHigh = RollAt(request, high, out AimSolution roll) - speed;
-        for (int i = 0; i < RollSpeeds && atHigh >= 0; i++)
-        {
-            double low = SlowerRoll * high;
-            double atLow = RollAt(request, low, out AimSolution slower) - speed;
-            if (atLow < 0)
-            {
-                return RollsBetween(request, speed, low, atLow, high, atHigh, ref roll, out best);
-            }
-
-            (high, atHigh, roll) = (low, atLow, slower);
-        }
-
-        return false;
-    }
-
-    /// <summary>Finds the kick along the ground that arrives at a given speed, between one that arrives too slowly and one too fast.</summary>
-    private bool RollsBetween(AimRequest request, double speed, double low, double atLow, double high, double atHigh, ref AimSolution roll, out AimResult best)
-    {
-        for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness && Math.Abs(atHigh) > ArrivalCloseness; i++)
-        {
-            // Take a secant step, limited so that the bracket shrinks from both ends.
-            double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
-            double middle = low + (share * (high - low));
-            double off = RollAt(request, middle, out AimSolution next) - speed;
-            if (off < 0)
-            {
-                (low, atLow) = (middle, off);
-            }
-            else
-            {
-                (high, atHigh, roll) = (middle, off, next);
-            }
-        }
-
-        best = ReportArrival(request, in roll, speed);
-        return best.Status is AimStatus.Hit or AimStatus.Blocked;
-    }
-
-    /// <summary>Returns the arrival speed of the kick along the ground at a given speed, in m/s; 0 if it does not reach the target.</summary>
-    private double RollAt(AimRequest request, double speed, out AimSolution roll)
-    {
-        _context.Begin(request.MaximumIterations);
-        if (!_direct.Rolls(request, speed, out roll))
-        {
-            return 0;
-        }
-
-        roll.Vectors(out Vector3d velocity, out Vector3d spin);
-        return SpeedAt(request, in velocity, in spin, roll.Time, rolls: true);
     }
 
     /// <summary>Returns the speed of a kick after a time, in m/s; if it touches the ground earlier, the speed just before the contact.</summary>

@@ -1,8 +1,8 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Searches over the time of flight for the kick that arrives at a target at a given speed.</summary>
+/// <summary>Searches over the time of a flight or a roll for the kick that arrives at a target at a given speed.</summary>
 /// <remarks>
-/// Each time of flight has one kick, whose arrival speed changes smoothly with the time. The solution lies between a time whose kick arrives too
+/// Each time has one kick, whose arrival speed changes smoothly with the time. The solution lies between a time whose kick arrives too
 /// slowly and one whose kick arrives too fast. If all arrive too fast, or all too slowly, it may lie at the end of the feasible times, or near a
 /// time whose kick is closer than those of both neighbours.
 /// </remarks>
@@ -12,7 +12,7 @@ internal sealed class ArrivalTimes(Aimer aimer)
     private const double Ratio = 1.15;
     private const int Most = 64;
 
-    /// <summary>The number of successive times without a kick, after some with one, that end the scan.</summary>
+    /// <summary>The number of successive times without a flight, after some with one, that end the scan. Rolls end at the first time without one.</summary>
     private const int MostMissing = 4;
 
     /// <summary>The first time, as a share of the time that a straight path at maximum speed takes.</summary>
@@ -26,76 +26,109 @@ internal sealed class ArrivalTimes(Aimer aimer)
     private readonly Node[] _nodes = new Node[Most];
     private AimRequest _request = new();
     private double _speed;
+    private bool _rolls;
+    private int _count;
     private AimSolution _near;
     private Node _closest;
 
-    /// <summary>Scans the times of flight, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
-    public AimResult Find(AimRequest request, double speed)
+    /// <summary>The kick of the last search whose arrival speed is closest to the requested one; null if no kick hits.</summary>
+    public AimSolution? Closest => _closest.Hits ? _closest.Kick : null;
+
+    /// <summary>Scans the times, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="speed">The arrival speed, in m/s.</param>
+    /// <param name="roll">The fastest kick along the ground, to search for a roll; null to search for a flight.</param>
+    /// <param name="result">The kick.</param>
+    /// <returns>True if a kick was found.</returns>
+    public bool Find(AimRequest request, double speed, AimSolution? roll, out AimResult result)
     {
         _request = request;
         _speed = speed;
-        _near = default;
+        _rolls = roll is not null;
+        _near = roll.GetValueOrDefault();
         _closest = default;
-        int count = Scan();
-
-        // The low arc has the shorter time of flight: search from the shortest time upwards.
-        bool isLow = request.Arc == AimArc.Low;
-        for (int pass = 0; pass < 3; pass++)
-        {
-            for (int k = 1; k < count; k++)
-            {
-                int i = isLow ? k : count - k;
-                bool found = pass == 0 ? Between(_nodes[i - 1], _nodes[i], out Node root)
-                    : pass == 1 ? AtEnd(_nodes[i - 1], _nodes[i], out root)
-                    : i + 1 < count & AtTurn(i, Math.Min(i + 1, count - 1), out root);
-                if (found)
-                {
-                    return _aimer.ReportArrival(request, in root.Kick, speed);
-                }
-            }
-        }
-
-        return _aimer.NoArrival(request, _closest.Hits ? _closest.Kick : null, speed);
+        bool found = Scan(out Node root) || Search(out root);
+        result = found ? _aimer.ReportArrival(request, in root.Kick, speed) : default;
+        return found;
     }
 
-    /// <summary>Scans the times, shortest first.</summary>
-    private int Scan()
+    /// <summary>Scans the times, shortest first, and finds the first solution on the low arc, which has the shorter time.</summary>
+    private bool Scan(out Node root)
     {
         TargetFrame frame = _aimer.Context.Frame(_request);
         double windward = _aimer.Context.Scene.Air.Wind.Length + _request.TargetVelocity.Length;
-        double time = Earliest * Vector3d.Distance(frame.From, frame.Target) / (_request.Speed + windward);
-        int count = 0;
+        double time = _rolls ? _near.Time : Earliest * Vector3d.Distance(frame.From, frame.Target) / (_request.Speed + windward);
         int missing = 0;
         bool any = false;
-        for (; count < Most - 1 && time < AimContext.LongestFlight && missing < MostMissing; time *= Ratio)
+        root = default;
+        for (_count = 0; _count < Most - 1 && time < AimContext.LongestFlight && missing < (_rolls ? 1 : MostMissing); time *= Ratio)
         {
             Node node = At(time);
-            _nodes[count++] = node;
+            _nodes[_count++] = node;
+            if (_request.Arc == AimArc.Low && _count > 1 && Between(in _nodes[_count - 2], in node, out root))
+            {
+                return true;
+            }
+
             any |= node.Hits;
             missing = node.Hits || !any ? 0 : missing + 1;
         }
 
-        return Insert(_aimer.SlowestTime(_request), count);
+        if (!_rolls)
+        {
+            Insert(_aimer.SlowestTime(_request));
+            return false;
+        }
+
+        // Wind or a slope may bring a slower ball to the target earlier.
+        _near = _nodes[0].Kick;
+        while (_count < Most && _nodes[0].Hits)
+        {
+            Insert(_nodes[0].Time / Ratio);
+        }
+
+        return false;
+    }
+
+    /// <summary>Searches between two times, then at the end of the feasible times, and then at an extremum, in the order of the arc.</summary>
+    private bool Search(out Node root)
+    {
+        for (int pass = 0; pass < 3; pass++)
+        {
+            for (int k = 1; k < _count; k++)
+            {
+                int i = _request.Arc == AimArc.Low ? k : _count - k;
+                bool found = pass == 0 ? Between(in _nodes[i - 1], in _nodes[i], out root)
+                    : pass == 1 ? AtEnd(in _nodes[i - 1], in _nodes[i], out root)
+                    : i + 1 < _count & AtTurn(i, Math.Min(i + 1, _count - 1), out root);
+                if (found)
+                {
+                    return true;
+                }
+            }
+        }
+
+        root = default;
+        return false;
     }
 
     /// <summary>Inserts one more time in order, because the scan may miss all feasible times if the bounds are narrow.</summary>
-    private int Insert(double time, int count)
+    private void Insert(double time)
     {
-        int place = count;
+        int place = _count++;
         for (; place > 0 && _nodes[place - 1].Time > time; place--)
         {
             _nodes[place] = _nodes[place - 1];
         }
 
         _nodes[place] = At(time);
-        return count + 1;
     }
 
     private Node At(double time, bool isBetween = false)
     {
         Node node = default;
         node.Time = time;
-        node.Hits = _aimer.TryArrival(_request, time, isBetween, in _near, out node.Kick, out double arrival);
+        node.Hits = _aimer.TryArrival(_request, time, _rolls, isBetween, in _near, out node.Kick, out double arrival);
         node.Off = arrival - _speed;
         _near = node.Hits ? node.Kick : _near;
         if (node.Hits && !(_closest.Hits && Math.Abs(_closest.Off) <= Math.Abs(node.Off)))

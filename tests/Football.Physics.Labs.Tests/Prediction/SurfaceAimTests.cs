@@ -55,6 +55,21 @@ public sealed class SurfaceAimTests
         Assert.InRange(new ArrivalJudge(simulator).Of(request, in slowest).Miss, 0, 0.0101);
     }
 
+    [Theory]
+    [InlineData(0.7144776002110786)]
+    [InlineData(2.0)]
+    public void Of_two_rolls_in_a_cross_wind_the_one_with_the_arrival_speed_is_found(double speed)
+    {
+        // One roll goes nearly straight and arrives fast, the other one goes against the wind and drifts back.
+        var simulator = new Simulator(new Scene { Ground = new Ground { Material = SurfaceMaterial.DryTurf }, Air = new Air { Wind = new Vector3d(2.5690487766330525, 0, -10.306977029988639) } });
+        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-17.616746830926335, 0.11, 2.4849556482079938), Speed = 17.8, TopSpin = 3.3, SideSpin = -4.5 };
+        AimResult found = new Aimer(simulator).FindAtSpeed(request, speed);
+        Assert.Equal((AimStatus.Hit, true), (found.Status, found.Rolls));
+        (double miss, double arrival) = new ArrivalJudge(simulator).Of(request, in found);
+        Assert.InRange(miss, 0, 0.0101);
+        Assert.InRange(arrival, speed - 0.02, speed + 0.02);
+    }
+
     [Fact]
     public void A_moving_target_with_a_waypoint_is_refused()
     {

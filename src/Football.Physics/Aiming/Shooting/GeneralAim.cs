@@ -169,18 +169,27 @@ internal sealed class GeneralAim
         set => _problem.IsTimely = value;
     }
 
-    /// <summary>Finds the kick that flies to the target in a given time, or a close one, no faster than requested: from the closed form, then from a hit
-    /// at another time, if one is known.</summary>
-    public AimSolution FlightAtTime(AimRequest request, double time, in AimSolution near)
+    /// <summary>Finds the kick that flies or rolls to the target in a given time, or a close one, no faster than requested.</summary>
+    /// <remarks>A flight starts from the closed form, and then from a hit at another time, if one is known. A roll, which bends more, starts from the hit.</remarks>
+    public AimSolution AtTime(AimRequest request, double time, bool rolls, in AimSolution near)
     {
-        BeginAtTime(request, rolls: false);
-        if (FromModel(time, out AimSolution solution) || !(near.Time > 0))
+        BeginAtTime(request, rolls);
+        bool found = rolls ? FromHit(time, in near, out AimSolution solution) : FromModel(time, out solution);
+        AimSolution other = default;
+        return !found && (rolls ? FromModel(time, out other) : FromHit(time, in near, out other)) ? other : solution;
+    }
+
+    /// <summary>Solves from a hit at another time.</summary>
+    private bool FromHit(double time, in AimSolution hit, out AimSolution solution)
+    {
+        solution = hit;
+        if (!(hit.Time > 0))
         {
-            return solution;
+            return false;
         }
 
-        Put(_problem, _x, in near.Kick, near.Speed, time);
-        return _problem.Hit(_x, out AimSolution other) ? other : solution;
+        Put(_problem, _x, in hit.Kick, hit.Speed, time);
+        return _problem.Hit(_x, out solution);
     }
 
     /// <summary>Finds the slowest kick that flies to the target, no faster than requested.</summary>
