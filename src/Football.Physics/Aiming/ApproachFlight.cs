@@ -131,9 +131,10 @@ internal sealed class MeasuredFlight(Simulator simulator) : ApproachFlight(simul
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
-    /// <summary>The length of a step of rolling, in s. The measured miss is then accurate to a millionth of itself; in steps of 0.1 s it is not.</summary>
+    /// <summary>The length of a step of rolling on a plane, in s. The measured miss is then accurate to a millionth of itself; in steps of 0.1 s it is not.</summary>
     private const double RollStep = 0.04;
 
+    private readonly double _longestRollStep = MeasuringStep.IsUneven(simulator) ? 0 : RollStep;
     private readonly StepLog _log = new() { IgnoresZones = true };
     private Vector3d? _through;
     private double _throughSquared;
@@ -194,9 +195,9 @@ internal sealed class MeasuredFlight(Simulator simulator) : ApproachFlight(simul
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // On the ground, friction curves the path within a step, so inspect every step. A roll changes slowly.
+        // On the ground, friction curves the path within a step, so inspect every step. A roll on a plane changes slowly.
         watches = HasMetAll && state.Motion != MotionState.Airborne;
-        double step = state.Motion == MotionState.Rolling ? Math.Max(TimeStep, RollStep) : TimeStep;
+        double step = state.Motion == MotionState.Rolling ? Math.Max(TimeStep, _longestRollStep) : TimeStep;
         return Math.Min(step, Last - state.Time);
     }
 

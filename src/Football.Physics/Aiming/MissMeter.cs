@@ -35,7 +35,7 @@ internal sealed class MissMeter(AimContext context, Simulator simulator)
 
         (_measured, _measuredVelocity, _measuredSpin, _measuredTime) = (request, velocity, spin, time);
         BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime, AimContext.OrientationOf(_simulator, request));
-        double step = MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length);
+        double step = MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length, state.Motion);
 
         // On the scene's clock, the target has moved since time 0.
         Vector3d target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * request.TargetVelocity);
@@ -66,8 +66,9 @@ internal readonly record struct MeasuredMiss(double Distance, double? ThroughDis
 /// <summary>The step of a flight that measures a miss, with an error far below a millimetre.</summary>
 internal static class MeasuringStep
 {
-    /// <summary>The step of an ordinary flight, in s, and of a flight that is dominated by air, has fast spin, or is in a storm.</summary>
+    /// <summary>The step of an ordinary flight, in s, of a roll over hills, and of a flight that is dominated by air, has fast spin, or is in a storm.</summary>
     private const double Ordinary = 0.02;
+    private const double Uneven = 0.01;
     private const double Fine = 0.005;
 
     /// <summary>The wind speed of a storm, in m/s.</summary>
@@ -81,9 +82,14 @@ internal static class MeasuringStep
     /// <param name="upward">The upward acceleration by gravity and buoyancy, in m/s².</param>
     /// <param name="speed">The speed of the kick, in m/s.</param>
     /// <param name="spinRate">The spin of the kick, in rad/s.</param>
-    public static double Of(Simulator simulator, double upward, double speed, double spinRate) =>
+    /// <param name="motion">The motion of the ball after the kick.</param>
+    public static double Of(Simulator simulator, double upward, double speed, double spinRate, MotionState motion) =>
         IsRuledByAir(simulator, upward, speed, spinRate) || simulator.Scene.Air.Wind.Length > Storm
-            || simulator.Scene.Ball.Radius * spinRate > speed ? Fine : Ordinary;
+            || simulator.Scene.Ball.Radius * spinRate > speed ? Fine
+            : motion != MotionState.Airborne && IsUneven(simulator) ? Uneven : Ordinary;
+
+    /// <summary>True if the slope of the ground changes along a roll.</summary>
+    public static bool IsUneven(Simulator simulator) => simulator.Scene.Ground.Heights is not null;
 
     /// <summary>True if drag or lift exceeds gravity so much that paths bend into loops, or end in the air.</summary>
     public static bool IsRuledByAir(Simulator simulator, double upward, double speed, double spinRate)

@@ -75,7 +75,7 @@ internal sealed class BankShotFlight : ILeastSquares
         _frame = frame;
         _things = things;
         _bounds = ElevationBounds.Of(request);
-        FineStep = MeasuringStep.Of(_simulator, _upward, request.Speed, Kick.Of(request, 0, 0).SpinRate);
+        FineStep = MeasuringStep.Of(_simulator, _upward, request.Speed, Kick.Of(request, 0, 0).SpinRate, MotionState.Airborne);
         Simulations = 0;
         Iterations = 0;
 
