@@ -55,6 +55,25 @@ public sealed class SurfaceAimTests
         Assert.InRange(new ArrivalJudge(simulator).Of(request, in slowest).Miss, 0, 0.0101);
     }
 
+    [Fact]
+    public void The_slowest_roll_over_hills_hits_in_other_steps_than_those_of_the_search()
+    {
+        // Over hills, steps of 0.04 s were 5 mm off after 66 m: a miss of 13 mm was called a hit.
+        SurfaceCondition hills = SurfaceCondition.All.Single(one => one.IsUneven && one.Wind > 0);
+        var simulator = new Simulator(hills.Scene(new Random(9 * 100_003)));
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, 0.14165606897171687, 0),
+            Target = new Vector3d(-29.503329935844658, 0.036688761875306425, -59.782662012154084),
+            Speed = 30,
+            TopSpin = -26.138543177460573,
+            SideSpin = 15.381454986232079,
+        };
+        AimResult slowest = new Aimer(simulator).FindSlowest(request);
+        Assert.Equal((AimStatus.Hit, true), (slowest.Status, slowest.Rolls));
+        Assert.InRange(new ArrivalJudge(simulator).Of(request, in slowest).Miss, 0, 0.0101);
+    }
+
     [Theory]
     [InlineData(0.7144776002110786)]
     [InlineData(2.0)]

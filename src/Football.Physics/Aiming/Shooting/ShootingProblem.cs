@@ -36,6 +36,11 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     private const double SpinDifference = 0.02;
     private const double Largest = 0.5;
 
+    /// <summary>The maximum number of corrections by the measured miss, and the range of misses that are corrected, as multiples of the tolerance.</summary>
+    private const int MostCorrections = 2;
+    private const double Enough = 0.5;
+    private const double TooFar = 20;
+
     private const double ShortestTime = 1e-3;
     private const double LeastShare = 0.01;
 
@@ -51,6 +56,10 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     private readonly double[] _residuals = new double[MostEquations];
     private TargetFrame _frame;
     private Vector3d _through;
+
+    /// <summary>The measured position minus that of the search, in m, for the last correction; and the measured position relative to the target, in m.</summary>
+    private Vector3d _defect;
+    private Vector3d _measuredGap;
     private Vector3d _arrival;
     private Vector3d _passing;
     private bool _passesThrough;
@@ -109,6 +118,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     public void Begin(AimRequest request, double speed, bool through, bool rolls = false)
     {
         Request = request;
+        _defect = Vector3d.Zero;
         _rolls = rolls;
         _speed = speed;
         _frame = _context.Frame(request);
@@ -184,7 +194,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         pieces += flight.Fly(ref state, time - way, _step);
         _context.CountSimulation(pieces);
         _arrival = state.Velocity - Request.TargetVelocity;
-        Vector3d gap = state.Position - _frame.Target - (time * Request.TargetVelocity);
+        Vector3d gap = state.Position + _defect - _frame.Target - (time * Request.TargetVelocity);
         Put(r, 0, _rolls ? gap.Horizontal : gap);
         return true;
     }
@@ -333,16 +343,30 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
     /// <summary>Clamps an unknown to its bounds.</summary>
     public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, _least[unknown]), _most[unknown]);
 
-    /// <summary>Solves from a start, and measures the result.</summary>
+    /// <summary>Solves from a start, measures the result, and solves again for the difference from the measured flight.</summary>
     /// <param name="x">The unknowns: the start, and then the best solution found.</param>
     /// <param name="solution">The solution.</param>
     /// <param name="isMeasured">True if the Jacobian of the start is known.</param>
     /// <returns>True if the measured kick hits.</returns>
     public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
     {
+        // The measurement takes shorter steps, and its flight is the one that counts: add its difference to the flights of the search.
+        _defect = Vector3d.Zero;
         bool hits = Solver.Solve(x, isMeasured);
         solution = Solution(x);
-        return hits && IsMeasuredHit(x, out solution);
+        bool isHit = hits && IsMeasuredHit(x, out solution);
+        for (int i = 0; i < MostCorrections && hits && solution.Miss > Enough * Request.Tolerance && solution.Miss < TooFar * Request.Tolerance; i++)
+        {
+            _defect += _measuredGap - new Vector3d(Solver.Residuals[0], Solver.Residuals[1], Solver.Residuals[2]);
+            hits = Solver.Solve(x, isMeasured: true);
+            if (hits && IsMeasuredHit(x, out AimSolution corrected) && !(isHit && corrected.Miss > solution.Miss))
+            {
+                isHit = true;
+                solution = corrected;
+            }
+        }
+
+        return isHit;
     }
 
     /// <summary>Returns the solution for the unknowns, with its measured misses.</summary>
@@ -352,6 +376,7 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         solution = Solution(x);
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin, _isFree[LogTime] ? null : solution.Time);
+        _measuredGap = measured.Position - _frame.Target - (measured.Time * Request.TargetVelocity);
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
@@ -403,48 +428,5 @@ internal sealed class ShootingProblem : IKickObserver, ILeastSquares
         j[(row * Most) + column] = value.X;
         j[((row + 1) * Most) + column] = value.Y;
         j[((row + 2) * Most) + column] = value.Z;
-    }
-}
-
-/// <summary>A flight or a roll to a given time.</summary>
-internal sealed class TimedFlight : IKickObserver
-{
-    /// <summary>The step of a roll, in s; the step of a fast roll, in s; and the minimum speed of a fast roll, in m/s.</summary>
-    /// <remarks>A fast roll can reach the jump in the drag law.</remarks>
-    private const double RollStep = 0.1;
-    private const double FastRollStep = 0.02;
-    private const double FastRoll = 11;
-
-    private readonly KickFlight _kick;
-    private double _step;
-    private double _end;
-
-    public TimedFlight(Simulator simulator) => _kick = new KickFlight(simulator, this);
-
-    /// <summary>Continues the flight.</summary>
-    /// <param name="state">The ball.</param>
-    /// <param name="time">The duration, in s.</param>
-    /// <param name="longestStep">The longest step in the air, in s.</param>
-    /// <returns>The number of path segments.</returns>
-    public long Fly(ref BallState state, double time, double longestStep)
-    {
-        _step = time / Math.Ceiling(time / longestStep);
-        _end = state.Time + time;
-        _kick.Fly(ref state, _end - (1e-9 * time));
-        return _kick.Pieces;
-    }
-
-    public double StepFrom(in BallState state, out bool watches)
-    {
-        // In the air, use equal steps, the last of which ends at the given time. On the ground, use shorter steps for a fast ball.
-        watches = false;
-        bool isFast = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll;
-        return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);
-    }
-
-    public bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
-    {
-        ended = after.Motion == MotionState.Rest;
-        return false;
     }
 }
