@@ -93,17 +93,9 @@ internal sealed partial class ContactSetParts
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
         double speed = s.Velocity.Length + (_around.Radius * s.SpinAxis.Length);
-        if (speed > gained || (speed > ContactTolerances.PileHeld * gained && (s.Position - from).Length > ContactTolerances.Standstill))
+        if (speed > gained || (speed > ContactTolerances.PileHeld * gained && (s.Position - from).Length > ContactTolerances.Standstill) || SolvedSet.Drives(set))
         {
             return;
-        }
-
-        foreach (ref readonly Contact contact in set)
-        {
-            if (contact.Velocity != Vector3d.Zero)
-            {
-                return;
-            }
         }
 
         s.Velocity = Vector3d.Zero;

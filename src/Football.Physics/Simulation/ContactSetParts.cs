@@ -77,7 +77,7 @@ internal sealed partial class ContactSetParts
             }
 
             // The ball has no room if no impulses satisfy all contacts, or if it would have to leave too fast. Only moving objects squeeze the ball.
-            if (SolvedSet.Moves(set) && (!next.Solved || WorldContact.IsTooFast(in s, set, next.From.Velocity + (next.Length * next.Start.Acceleration), in next.Velocity)))
+            if (SolvedSet.Drives(set, movers: true) && (!next.Solved || WorldContact.IsTooFast(in s, set, next.From.Velocity + (next.Length * next.Start.Acceleration), in next.Velocity)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
@@ -258,7 +258,7 @@ internal sealed partial class ContactSetParts
         }
 
         int evaluations = 0;
-        bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ImpulseSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
+        bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Drives(set, movers: true) && ImpulseSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
             : _rest.IsHeldBy(set, in still, Vector3d.Zero, mayGrip: true, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)

@@ -75,25 +75,13 @@ internal static class SolvedSet
     }
 
     /// <summary>True if a surface has a velocity, also one that turns in place: it may do work on the ball.</summary>
-    private static bool Drives(Span<Contact> set)
+    /// <param name="set">The contacts.</param>
+    /// <param name="movers">Whether to count only objects that can move.</param>
+    public static bool Drives(Span<Contact> set, bool movers = false)
     {
         foreach (ref readonly Contact contact in set)
         {
-            if (contact.Velocity != Vector3d.Zero)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>True if an object moves, and its surface has a velocity.</summary>
-    public static bool Moves(Span<Contact> set)
-    {
-        foreach (ref readonly Contact contact in set)
-        {
-            if (contact.Moves && contact.Velocity != Vector3d.Zero)
+            if ((contact.Moves || !movers) && contact.Velocity != Vector3d.Zero)
             {
                 return true;
             }
