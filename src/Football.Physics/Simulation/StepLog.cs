@@ -204,11 +204,7 @@ public sealed partial class StepLog
     /// <summary>Adds the events and counts of another log.</summary>
     internal void Add(StepLog other)
     {
-        for (int i = 0; i < other.Events.Count; i++)
-        {
-            Events.Add(in other.Events[i]);
-        }
-
+        Events.Add(other.Events);
         AddCounts(other);
         ZoneEvents += other.ZoneEvents;
     }

@@ -255,7 +255,7 @@ internal sealed partial class BallCluster
                 BallPile pile = _piles.Begin(_span.Start, _span.Length);
                 TakeAllOf(_rests.RootOf(i), states, pile, _span.Start);
             }
-            else if (!_piles.Has(i) && _trials[i].IsWhole && _stopAt == StopAt.Time)
+            else if (!_piles.Has(i) && _trials[i].IsWhole && !_shares[i] && _stopAt == StopAt.Time)
             {
                 Reach(states, i);
             }

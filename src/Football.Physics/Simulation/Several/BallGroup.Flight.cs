@@ -57,28 +57,26 @@ public sealed partial class BallGroup
             BallTrial trial = _cluster.TrialOf(i);
             trial.IsWhole = false;
             log.Events.Ball = i;
-            if (_cluster.Rests.IsInPile(i))
+            bool isInPile = _cluster.Rests.IsInPile(i);
+            if (isInPile || (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves))
             {
-                // The path of a pile is computed later, so estimate its reach here.
-                _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
+                // The path of a pile is computed later, so estimate its reach here. A ball at rest only advances its time.
+                s.Time += isInPile ? 0 : dt;
+                _reaches[i] = isInPile ? dt * (before.Velocity.Length + (BallNeighbours.Fall * dt)) : 0;
                 _cluster.Shares.Begin(i, in before, 0);
-                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
-                continue;
-            }
-
-            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
-            {
-                s.Time += dt;
-                _reaches[i] = 0;
-                _cluster.Shares.Begin(i, in before, 0);
+                holds &= !isInPile || _neighbours.Holds(i, in before, _reaches[i], dt);
                 continue;
             }
 
             log.Pushed = false;
             log.HasFollowed = false;
 
-            // A ball that touched others in the last step may touch them again: record its path.
-            if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
+            // A ball whose path the last step needed may need it again: record it.
+            if ((trial.IsNeeded || _cluster.Has(i)) && stopAt == StopAt.Time)
+            {
+                trial.TakeStep(_simulators[i], ref s, dt, log);
+            }
+            else
             {
                 _simulators[i].Advance(ref s, dt, log);
             }
@@ -93,11 +91,12 @@ public sealed partial class BallGroup
 
             pushes |= log.Pushed;
 
-            // If the ball leaves the bounds of its sphere, at an end of its step or at an event, measure its reach.
+            // If the ball leaves the bounds of its sphere, at an end of its step or at an event, its reach is that of its path.
             bool keeps = !log.HasFollowed && _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
-            _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
+            _reaches[i] = keeps ? _neighbours.ReachOf(i) : trial.IsWhole ? trial.Reach : double.PositiveInfinity;
+            trial.IsNeeded = !keeps;
             holds &= keeps;
-            again |= log.Pushed && !keeps;
+            again |= log.Pushed && !keeps && !trial.IsWhole;
         }
 
         _firstEvent[states.Length] = log.Events.Count;
@@ -170,8 +169,9 @@ public sealed partial class BallGroup
                 _motions.PutBack();
             }
 
-            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time, haltsAtPush: false, default);
-            _reaches[i] = _measure.Reach;
+            BallTrial trial = _cluster.TrialOf(i);
+            trial.RunStep(_simulators[i], in _before[i], dt, _motions);
+            _reaches[i] = trial.Reach;
             holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
         }
 

@@ -27,7 +27,6 @@ public sealed partial class BallGroup
     private readonly BallState[] _before;
     private readonly StepLog[] _logs;
     private readonly double[] _reaches;
-    private readonly BallTrial _measure = new();
     private readonly StepLog _flown;
     private readonly int[] _firstEvent;
     private BallEvent[] _reported = new BallEvent[16];

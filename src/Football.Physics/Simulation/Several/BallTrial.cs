@@ -83,21 +83,38 @@ internal sealed class BallTrial : PieceObserver
         return true;
     }
 
-    /// <summary>Takes a whole step of a ball that hit others in the last step, and keeps its path in case it does so again.</summary>
-    /// <param name="simulator">The ball's scene, in which no object can be pushed.</param>
+    /// <summary>Computes the path of a whole step, which may push objects.</summary>
+    /// <param name="simulator">The ball's scene.</param>
+    /// <param name="start">The ball at the start.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="motions">Stores the motions before the first push of the step.</param>
+    public void RunStep(Simulator simulator, in BallState start, double dt, MotionSnapshot? motions)
+    {
+        Log.Motions = motions;
+        Log.HasFollowed = false;
+        Run(simulator, in start, dt, StopAt.Time, haltsAtPush: false, default);
+        IsWhole = true;
+    }
+
+    /// <summary>Takes a whole step of a ball, and keeps its path in case the balls near it need it.</summary>
+    /// <param name="simulator">The ball's scene.</param>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="own">Receives its events and counts.</param>
-    /// <returns>False if the path could not be kept; the ball has then not moved.</returns>
-    public bool TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
+    public void TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
     {
-        Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, default);
-        IsWhole = TryTake(ref s, s.Time + dt, own);
-        return IsWhole;
+        RunStep(simulator, in s, dt, own.Motions);
+        s = End;
+        own.Add(Log);
+        own.Pushed = Log.Pushed;
+        own.HasFollowed = Log.HasFollowed;
     }
 
-    /// <summary>True if the path covers a whole step.</summary>
+    /// <summary>True if the path covers this step, from its start to its end.</summary>
     public bool IsWhole { get; set; }
+
+    /// <summary>True if the reach of the last step was unknown without its path.</summary>
+    public bool IsNeeded { get; set; }
 
     /// <summary>Sets a straight path of a ball in a pile.</summary>
     /// <param name="start">The ball at the start.</param>
