@@ -10,7 +10,7 @@ namespace FootballPhysics.Contacts;
 internal static unsafe class ContactModes
 {
     /// <summary>Maximum number of mode changes. After these, the search fails.</summary>
-    private const int MostChanges = 24;
+    private const int MostChanges = 8;
 
     /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>
     public const int MostStarts = 12;

@@ -21,7 +21,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <remarks>
     /// After that the rest of the step is taken in parts: a turning slip would need ever more pieces.
     /// </remarks>
-    private const int MostPieces = 160;
+    private const int MostPieces = 80;
 
     /// <summary>After this many pieces, a turning slip ends at the larger tolerance.</summary>
     private const int ManyPieces = 24;

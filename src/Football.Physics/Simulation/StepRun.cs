@@ -24,6 +24,9 @@ internal ref struct StepRun
     /// <remarks>A ball that bounces to rest in a corner stays less often.</remarks>
     private const int MostStays = 32;
 
+    /// <summary>The count of a stay that follows another one within the shortest hop: then the ball alternates between two surfaces.</summary>
+    private const int QuickStay = 3;
+
     /// <summary>Maximum number of pieces per step, of all kinds.</summary>
     private const int MostPieces = 1 << 13;
 
@@ -230,7 +233,7 @@ internal ref struct StepRun
     /// <summary>Counts an instant at which the ball stays on a surface after an impact.</summary>
     public void Stay(double time)
     {
-        Spent.Stays += time > Spent.LastStay ? 1 : 0;
+        Spent.Stays += !(time > Spent.LastStay) ? 0 : time - Spent.LastStay < ContactTolerances.ShortestHop ? QuickStay : 1;
         Spent.LastStay = time;
     }
 
