@@ -97,12 +97,7 @@ internal static class ImpulseSolver
             for (int i = 0; i < contacts.Length; i++)
             {
                 ref Contact contact = ref contacts[(round & 1) == 0 ? contacts.Length - 1 - i : i];
-                double load = contact.Load;
-                Vector3d friction = contact.Rub;
-                change = Math.Max(change, Press(ref contact, balls));
-                contact.LoadChange = contact.Load - load;
-                contact.RubChange = contact.Rub - friction;
-                square += (contact.LoadChange * contact.LoadChange / contact.NormalMass) + (contact.RubChange.LengthSquared / contact.SlipMass);
+                change = Math.Max(change, Press(ref contact, balls, ref square));
             }
 
             foreach (ref PressedBall ball in balls)
@@ -230,7 +225,7 @@ internal static class ImpulseSolver
             Vector3d friction = beta > 0 ? beta * contact.RubStep : Vector3d.Zero;
             contact.LoadStep = load + contact.LoadChange;
             contact.RubStep = friction + contact.RubChange;
-            if (beta > 0)
+            if (load != 0 || friction != Vector3d.Zero)
             {
                 contact.Load += load;
                 contact.Rub += friction;
@@ -240,8 +235,11 @@ internal static class ImpulseSolver
     }
 
     /// <summary>Solves a single contact.</summary>
+    /// <param name="contact">The contact.</param>
+    /// <param name="balls">The balls.</param>
+    /// <param name="square">Receives the square of the change of its impulses, divided by their masses.</param>
     /// <returns>Change of the speed of a ball, m/s.</returns>
-    private static double Press(ref Contact contact, Span<PressedBall> balls)
+    private static double Press(ref Contact contact, Span<PressedBall> balls, ref double square)
     {
         ref readonly PressedBall a = ref balls[contact.First];
         Vector3d n = contact.Normal;
@@ -268,25 +266,30 @@ internal static class ImpulseSolver
         if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
         {
             // The surfaces are close, but the contact carries no load: there is no impulse to apply.
+            contact.LoadChange = 0;
+            contact.RubChange = Vector3d.Zero;
             return 0;
         }
 
         double pushed = load - contact.Load;
         contact.Load = load;
+        contact.LoadChange = pushed;
 
         // J_t: the impulse that stops the slip s, limited by friction.
         Vector3d slip = relative - (rate * n) - Vector3d.Cross(in turning, in n);
         Vector3d friction = contact.Rub - (contact.SlipMass * slip);
         double most = contact.Material.Resistance.MostFriction(load);
-        double square = friction.LengthSquared;
-        contact.Sticks = square <= most * most;
+        double size = friction.LengthSquared;
+        contact.Sticks = size <= most * most;
         if (!contact.Sticks)
         {
-            friction = most / Math.Sqrt(square) * friction;
+            friction = most > 0 ? most / Math.Sqrt(size) * friction : Vector3d.Zero;
         }
 
         Vector3d rubbed = friction - contact.Rub;
         contact.Rub = friction;
+        contact.RubChange = rubbed;
+        square += (pushed * pushed / contact.NormalMass) + (rubbed.LengthSquared / contact.SlipMass);
         Give(in contact, (pushed * n) + rubbed, in rubbed, balls);
         if (contact.Second >= 0)
         {
