@@ -58,15 +58,18 @@ class EventKind(enum.IntEnum):
     EXIT_ZONE = 9
 
 
-class AimResult(NamedTuple):
-    """The best kicks found, one row per ball, for every status."""
-
+class _AimRows(NamedTuple):
     velocity: Floats
     spin: Floats
     miss: Floats
     status: NDArray[np.int32]
+
+
+class AimResult(_AimRows):
+    """The best kicks found, one row per ball, for every status: velocity, spin, miss, status."""
+
     reason: List[Optional[str]]
-    """Why each kick does not hit: the bound that excludes every kick, the undefined quantity, or the nearest miss; None for a hit."""
+    """Why each kick does not hit: the bound that excludes every kick, the undefined quantity, or the nearest miss; None for a hit. No item of the tuple."""
 
     @property
     def hit(self) -> NDArray[np.bool_]:
@@ -228,7 +231,8 @@ class Balls:
         request: further members of an aim in a scenario, by name: ``spin={"side": 40}``, ``elevation={"max": 60}``, ``through=[x, y, z]``, ``arc="high"`` ...
         """
         targets = _rows(targets, self._n, "targets")
-        result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32), [])
+        result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32))
+        result.reason = []
         for ball in range(self._n):
             text = _native.text({"from": self.position[ball], "target": targets[ball], "speed": speed, **request})
             _native.check(_native.aim(

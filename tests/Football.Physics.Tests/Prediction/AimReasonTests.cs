@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>Each verdict names its bound, its undefined quantity, or its nearest miss.</summary>
