@@ -37,6 +37,7 @@ const cases = [
   [() => scene.bodies[0].place([0, 0]), "position is [0,0]; allowed: [x, y, z]."],
   [() => { scene.bodies[0].place([1e9, 0, 0]); ball.step(0.1); }, /^bodies\[0\] \(leg\): position is .*; allowed: /],
   [() => freed.ball(), "The scene was freed. Create a new one."],
+  [() => physics.goldenHashes(0), "every is 0; allowed: a whole number from 1."],
   [() => freed.bodies[0].place([0, 0, 0]), "The scene was freed. Create a new one."],
   [() => gone.step(0.1), "The ball was freed. Create a new one."],
 ];
@@ -51,7 +52,7 @@ for (const [call, message] of cases) {
 const open = physics.scene();
 for (const [target, status, reason] of [
   [[0, 1, -20], "hit", /^null$/],
-  [[0, 1, -200], "outOfReach", /^Every allowed kick passes below the target or falls short of it/],
+  [[0, 1, -200], "outOfReach", /^Flights at close elevations all pass below the target or fall short of it/],
   [[0, 0, 0], "degenerate", /^The direction of the kick is undefined/],
 ]) {
   const found = open.aim({ from: [0, 0, 0], target, speed: 25 });

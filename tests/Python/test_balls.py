@@ -161,7 +161,7 @@ class Arrays(unittest.TestCase):
         far = balls.aim([[2, 1.5, -20], [0, 1, -200]], speed=25)
         self.assertEqual((0, 1), tuple(far.status))
         self.assertIsNone(far.reason[0])
-        self.assertRegex(far.reason[1], "^Every allowed kick passes below the target or falls short of it")
+        self.assertRegex(far.reason[1], "^Flights at close elevations all pass below the target or fall short of it")
         balls.kick(None, found.velocity, found.spin)
         start = balls.state
         ends = balls.derivatives(0.5)

@@ -117,7 +117,9 @@ class Physics {
     return { velocity: v.slice(0, 3), spin: v.slice(3, 6) };
   }
 
-  goldenHashes(every = 1) { return this.engine.Golden(number("every", every)).split("\n"); }
+  goldenHashes(every = 1) {
+    return Number.isInteger(every) && every > 0 ? this.engine.Golden(every).split("\n") : refuse("every", every, "a whole number from 1");
+  }
 
   eventsAt(address, count, scene) {
     // Read the names first: a call can move the memory.

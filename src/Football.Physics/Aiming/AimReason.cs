@@ -19,10 +19,10 @@ internal enum AimReason
     /// <summary>Bound: every kick is slower at the target than the requested speed.</summary>
     TooSlow,
 
-    /// <summary>Bound: flights over all elevations, all of which pass below the target or fall short of it.</summary>
+    /// <summary>Bound: flights at close elevations, all of which pass below the target or fall short of it (<see cref="ReachCover"/>).</summary>
     TooShort,
 
-    /// <summary>Bound: flights over all elevations, some of which pass above the target.</summary>
+    /// <summary>Bound: flights at close elevations, some of which pass above the target.</summary>
     BetweenBounds,
 
     /// <summary>Undefined: the direction of the kick.</summary>
@@ -95,8 +95,8 @@ internal static class AimReasons
         AimReason.TooHigh => "Every allowed kick has too little energy for the height of the target.",
         AimReason.TooFarInTime => "Every allowed kick is too slow to cover the distance in the requested time.",
         AimReason.TooSlow => "Every allowed kick is slower at the target than the requested arrival speed.",
-        AimReason.TooShort => "Every allowed kick passes below the target or falls short of it, as flights over all elevations show.",
-        AimReason.BetweenBounds => "Every allowed kick passes above the target or below it, as flights over all elevations show.",
+        AimReason.TooShort => "Flights at close elevations all pass below the target or fall short of it.",
+        AimReason.BetweenBounds => "Flights at close elevations all pass above the target or below it.",
         AimReason.NoDirection => "The direction of the kick is undefined, because the target is at the ball's position.",
         AimReason.NoOrder => "The order of the points is undefined, because the waypoint is not between the ball and the target.",
         AimReason.NoneFound => "The search found no hit, but no bound excludes one.",

@@ -13,9 +13,9 @@ public sealed class AimReasonTests
     public void A_target_out_of_reach_names_the_bound()
     {
         AimRequest far = s_pass with { Target = new Vector3d(0, 1, -200) };
-        Is(AimStatus.OutOfReach, "passes below the target or falls short", s_aimer.Find(far));
-        Is(AimStatus.OutOfReach, "passes below the target or falls short", s_aimer.Find(far, measure: false));
-        Is(AimStatus.OutOfReach, "passes below the target or falls short", s_aimer.FindSlowest(far));
+        Is(AimStatus.OutOfReach, "all pass below the target or fall short", s_aimer.Find(far));
+        Is(AimStatus.OutOfReach, "all pass below the target or fall short", s_aimer.Find(far, measure: false));
+        Is(AimStatus.OutOfReach, "all pass below the target or fall short", s_aimer.FindSlowest(far));
         Is(AimStatus.OutOfReach, "too little energy", s_aimer.Find(s_pass with { Target = new Vector3d(0, 60, -10) }));
         Is(AimStatus.OutOfReach, "too little energy", s_aimer.Find(s_pass with { Target = new Vector3d(0, 60, -10), Waypoint = new Vector3d(0, 30, -5) }));
         Is(AimStatus.OutOfReach, "too slow to cover the distance in the requested time", s_aimer.FindAtTime(s_pass, 0.3));
@@ -23,7 +23,7 @@ public sealed class AimReasonTests
 
         // Every kick of at least 60° flies over a near target, but a slower one would not.
         AimRequest lobs = s_pass with { Target = new Vector3d(0, 1, -6), MinimumElevationDegrees = 60, MaximumElevationDegrees = 75 };
-        Is(AimStatus.OutOfReach, "passes above the target or below it", s_aimer.Find(lobs));
+        Is(AimStatus.OutOfReach, "all pass above the target or below it", s_aimer.Find(lobs));
         Assert.Equal(AimStatus.Hit, s_aimer.FindSlowest(lobs).Status);
     }
 
@@ -66,7 +66,7 @@ public sealed class AimReasonTests
         AimRequest steep = s_pass with { Target = new Vector3d(0, 1, -28), MaximumElevationDegrees = 60 };
         Assert.Equal(AimStatus.Hit, thesis.Find(steep, AimMethod.Direct).Status);
         Nearest(AimStatus.NotConverged, "pass on the same side of the target", thesis.Find(steep, method));
-        Is(AimStatus.OutOfReach, "passes below the target or falls short", thesis.Find(s_pass with { Target = new Vector3d(0, 1, -200) }, method));
+        Is(AimStatus.OutOfReach, "all pass below the target or fall short", thesis.Find(s_pass with { Target = new Vector3d(0, 1, -200) }, method));
     }
 
     [Fact]
