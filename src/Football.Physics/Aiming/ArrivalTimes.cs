@@ -100,7 +100,7 @@ internal sealed class ArrivalTimes(Aimer aimer)
                 int i = _request.Arc == AimArc.Low ? k : _count - k;
                 bool found = pass == 0 ? Between(in _nodes[i - 1], in _nodes[i], out root)
                     : pass == 1 ? AtEnd(in _nodes[i - 1], in _nodes[i], out root)
-                    : i + 1 < _count & AtTurn(i, Math.Min(i + 1, _count - 1), out root);
+                    : AtTurn(i, out root);
                 if (found)
                 {
                     return true;
@@ -208,11 +208,11 @@ internal sealed class ArrivalTimes(Aimer aimer)
     }
 
     /// <summary>Searches between three times of which the middle one is closest: the minimum or maximum of the arrival speed.</summary>
-    private bool AtTurn(int middle, int last, out Node root)
+    private bool AtTurn(int middle, out Node root)
     {
         Node a = _nodes[middle - 1];
         Node b = _nodes[middle];
-        Node c = _nodes[last];
+        Node c = middle + 1 < _count ? _nodes[middle + 1] : default;
         root = b;
         if (!a.Hits || !b.Hits || !c.Hits || a.Off * b.Off <= 0 || b.Off * c.Off <= 0 || Math.Abs(b.Off) > Math.Abs(a.Off) || Math.Abs(b.Off) > Math.Abs(c.Off))
         {
