@@ -10,6 +10,7 @@ namespace FootballPhysics.Contacts;
 internal static unsafe class ContactModes
 {
     /// <summary>Maximum number of mode changes. After these, the search fails.</summary>
+    /// <remarks>Above: searches that cycle take half of the evaluations of the slowest steps. In 400 matches, searches that end need at most 2 changes.</remarks>
     private const int MostChanges = 8;
 
     /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>

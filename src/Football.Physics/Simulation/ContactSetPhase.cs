@@ -19,7 +19,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
     /// <summary>Maximum number of pieces per step with several active contacts.</summary>
     /// <remarks>
-    /// After that the rest of the step is taken in parts: a turning slip would need ever more pieces.
+    /// After that the rest of the step is taken in parts: a turning slip would need ever more pieces. Above: the last of them last nanoseconds. Below: the
+    /// parts change the motion; with 160 pieces, a ball that a player walks into a net ends 6e-6 m away.
     /// </remarks>
     private const int MostPieces = 80;
 

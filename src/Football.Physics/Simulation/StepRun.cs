@@ -25,6 +25,7 @@ internal ref struct StepRun
     private const int MostStays = 32;
 
     /// <summary>The count of a stay that follows another one within the shortest hop: then the ball alternates between two surfaces.</summary>
+    /// <remarks>Below: a squeezed ball stays up to 32 times within microseconds.</remarks>
     private const int QuickStay = 3;
 
     /// <summary>Maximum number of pieces per step, of all kinds.</summary>

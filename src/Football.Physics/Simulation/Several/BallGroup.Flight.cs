@@ -57,14 +57,20 @@ public sealed partial class BallGroup
             BallTrial trial = _cluster.TrialOf(i);
             trial.IsWhole = false;
             log.Events.Ball = i;
-            bool isInPile = _cluster.Rests.IsInPile(i);
-            if (isInPile || (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves))
+            if (_cluster.Rests.IsInPile(i))
             {
-                // The path of a pile is computed later, so estimate its reach here. A ball at rest only advances its time.
-                s.Time += isInPile ? 0 : dt;
-                _reaches[i] = isInPile ? dt * (before.Velocity.Length + (BallNeighbours.Fall * dt)) : 0;
+                // The path of a pile is computed later, so estimate its reach here.
+                _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
                 _cluster.Shares.Begin(i, in before, 0);
-                holds &= !isInPile || _neighbours.Holds(i, in before, _reaches[i], dt);
+                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
+                continue;
+            }
+
+            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
+            {
+                s.Time += dt;
+                _reaches[i] = 0;
+                _cluster.Shares.Begin(i, in before, 0);
                 continue;
             }
 
