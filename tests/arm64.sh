@@ -39,8 +39,12 @@ dotnet publish -c Release -m:1 -r linux-arm64 --self-contained "${ready[@]}" tes
 published=$(( SECONDS - start ))
 start=$SECONDS
 run "$work/golden/consumer" "${some[@]}" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"
-grep -Fxf "$work/hashes" tests/Golden/golden.txt | diff - "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < "$work/hashes") lines differ)"
-(( $(wc -l < "$work/hashes") * 5 >= $(wc -l < tests/Golden/golden.txt) )) || fail "only $(wc -l < "$work/hashes") lines"
+cp tests/Golden/golden.txt "$work/expected"
+if (( ${#some[@]} > 0 )); then
+  grep -Fxf "$work/hashes" tests/Golden/golden.txt > "$work/expected" || :
+  (( $(wc -l < "$work/hashes") * 5 >= $(wc -l < tests/Golden/golden.txt) )) || fail "only $(wc -l < "$work/hashes") lines"
+fi
+diff "$work/expected" "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < "$work/hashes") lines differ)"
 echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.txt, published in $published s, run in $(( SECONDS - start )) s"
 
 start=$SECONDS
