@@ -12,25 +12,25 @@ public sealed partial class KeeperDive
     public static Player Penalty => new() { Reaction = 0.245, Acceleration = 8, Speed = 5, Reach = 0.6, MaximumHeight = 2.4 };
 
     /// <summary>True while he is in the dive of his guess.</summary>
-    private bool IsCommitted => Guess is { } guess && _last.Start == guess.Time && _now < _last.End;
+    private bool IsCommitted => Guess is { } guess && _last.Dive.Start == guess.Time && _now < _last.Dive.End;
 
     /// <summary>Starts the dive of a guess.</summary>
     private void Commit(in KeeperGuess guess, in BallState ball)
     {
-        Pose present = At(guess.Time);
-        Vector3d feet = Feet(in present);
+        KeeperState present = At(guess.Time);
+        Vector3d feet = Feet(present.Pose);
         if (SideOf(guess.Target) == 0)
         {
             return;
         }
 
         // The dive takes the time that his hands need.
-        double duration = Math.Max(ShortestDive, TimeFor((guess.Target - feet).Horizontal.Length - _abilities.Reach));
+        double duration = TimeFor((guess.Target - feet).Horizontal.Length - _abilities.Reach);
+        BallPose to = Reaching(in feet, guess.Target, duration);
         _last.Seen = ball;
         _last.Target = guess.Target;
-        (_last.From, _last.To) = (present, Reaching(in feet, guess.Target, duration));
-        _last.Start = guess.Time;
-        _last.End = guess.Time + duration;
+        _last.Before = Motion(ref _last, guess.Time);
+        _last.Dive = KeeperMotion.Within(in present, in to, guess.Time, guess.Time + duration, _abilities.Speed);
         _last.Count++;
         Remember();
     }
@@ -38,8 +38,7 @@ public sealed partial class KeeperDive
     /// <summary>Adapts the dive to a ball on its side of the goal.</summary>
     private void Adapt(in BallState ball)
     {
-        Pose present = At(_now);
-        Vector3d feet = Feet(in present);
+        Vector3d feet = Feet(At(_now).Pose);
         Player self = Standing(in feet).Reacting(0);
         KeeperResult answer = _interception.FindSave(_path.Path, in self, Goal, _now);
         PathPoint at = answer.Saves ? answer.Save : answer.Crossing;
@@ -54,7 +53,7 @@ public sealed partial class KeeperDive
         _last.Seen = ball;
         _last.Answer = answer;
         _last.Target = at.Position;
-        Dive(in present, in at, _now, 0);
+        Dive(in at, _now, 0);
         Remember();
     }
 

@@ -5,7 +5,7 @@ namespace FootballPhysics.Engines;
 /// <content>His memory as bytes, for a peer that joins.</content>
 public sealed partial class KeeperDive
 {
-    private const ulong Format = 0x31_50_45_45_4B_42_46; // "FBKEEP1"
+    private const ulong Format = 0x32_50_45_45_4B_42_46; // "FBKEEP2"
     private const int FormatSize = 7;
 
     /// <summary>Serialises the decision on which his next moves depend: the ball for which he made it, and his dive.</summary>
@@ -25,10 +25,8 @@ public sealed partial class KeeperDive
         {
             ref readonly Decision decision = ref _past[last];
             writer.State(in decision.Seen);
-            Write(in decision.From, ref writer);
-            Write(in decision.To, ref writer);
-            Write(decision.Start, ref writer);
-            Write(decision.End, ref writer);
+            Write(in decision.Before, ref writer);
+            Write(in decision.Dive, ref writer);
             Write(decision.Target, ref writer);
             writer.Integer((ulong)decision.Count);
         }
@@ -53,18 +51,11 @@ public sealed partial class KeeperDive
         if (decided)
         {
             decision.Seen = reader.State();
-            decision.From = ReadPose(ref reader);
-            decision.To = ReadPose(ref reader);
-            decision.Start = ReadNumber(ref reader);
-            decision.End = ReadNumber(ref reader);
-            decision.Target = ReadVector(ref reader);
+            decision.Before = ReadMotion(ref reader);
+            decision.Dive = ReadMotion(ref reader);
+            decision.Target = ReadVector(ref reader, Limits.Length, "position");
             decision.Count = reader.Int();
             reader.End();
-            if (double.IsNaN(decision.Start) || double.IsNaN(decision.End))
-            {
-                throw ByteReader.Broken("a number of a keeper is not finite");
-            }
-
             try
             {
                 _ahead.Validate(in decision.Seen);
@@ -82,11 +73,21 @@ public sealed partial class KeeperDive
         _last = decision;
     }
 
-    private static void Write(in Pose pose, ref ByteWriter writer)
+    private static void Write(in KeeperMotion motion, ref ByteWriter writer)
     {
-        Write(pose.Middle, ref writer);
-        Write(new Vector3d(pose.Turn.X, pose.Turn.Y, pose.Turn.Z), ref writer);
-        Write(pose.Turn.W, ref writer);
+        Write(motion.From.Pose, ref writer);
+        Write(motion.From.Velocity, ref writer);
+        Write(motion.From.Spin, ref writer);
+        Write(motion.To, ref writer);
+        Write(motion.Start, ref writer);
+        Write(motion.End, ref writer);
+    }
+
+    private static void Write(BallPose pose, ref ByteWriter writer)
+    {
+        Write(pose.Position, ref writer);
+        Write(new Vector3d(pose.Orientation.X, pose.Orientation.Y, pose.Orientation.Z), ref writer);
+        Write(pose.Orientation.W, ref writer);
     }
 
     private static void Write(Vector3d vector, ref ByteWriter writer)
@@ -98,20 +99,29 @@ public sealed partial class KeeperDive
 
     private static void Write(double number, ref ByteWriter writer) => writer.Bits((ulong)BitConverter.DoubleToInt64Bits(number), sizeof(double));
 
-    private static double ReadNumber(ref ByteReader reader) => BitConverter.Int64BitsToDouble((long)reader.Bits(sizeof(double)));
-
-    private static Vector3d ReadVector(ref ByteReader reader)
+    private static KeeperMotion ReadMotion(ref ByteReader reader)
     {
-        var vector = new Vector3d(ReadNumber(ref reader), ReadNumber(ref reader), ReadNumber(ref reader));
-        return vector.IsFinite && vector.Length <= Limits.Length ? vector : throw ByteReader.Broken("a position of a keeper is out of range");
+        BallPose from = ReadPose(ref reader);
+        Vector3d velocity = ReadVector(ref reader, Limits.Speed, "velocity");
+        Vector3d spin = ReadVector(ref reader, Limits.Spin, "spin");
+        BallPose to = ReadPose(ref reader);
+        var motion = new KeeperMotion(new KeeperState(in from, in velocity, in spin), in to, ReadNumber(ref reader), ReadNumber(ref reader));
+        return motion.IsValid ? motion : throw ByteReader.Broken("a motion of a keeper has no duration");
     }
 
-    private static Pose ReadPose(ref ByteReader reader)
+    private static double ReadNumber(ref ByteReader reader) => BitConverter.Int64BitsToDouble((long)reader.Bits(sizeof(double)));
+
+    private static Vector3d ReadVector(ref ByteReader reader, double most, string what)
     {
-        Vector3d middle = ReadVector(ref reader);
-        Vector3d axis = ReadVector(ref reader);
+        var vector = new Vector3d(ReadNumber(ref reader), ReadNumber(ref reader), ReadNumber(ref reader));
+        return vector.IsFinite && vector.Length <= most ? vector : throw ByteReader.Broken($"a {what} of a keeper is out of range");
+    }
+
+    private static BallPose ReadPose(ref ByteReader reader)
+    {
+        Vector3d middle = ReadVector(ref reader, Limits.Length, "position");
+        Vector3d axis = ReadVector(ref reader, 2, "orientation");
         var turn = new Quaterniond(axis.X, axis.Y, axis.Z, ReadNumber(ref reader));
-        double size = (turn.X * turn.X) + (turn.Y * turn.Y) + (turn.Z * turn.Z) + (turn.W * turn.W);
-        return Math.Abs(size - 1) < 1e-6 ? new Pose(in middle, in turn) : throw ByteReader.Broken("an orientation of a keeper is not of length 1");
+        return Math.Abs(turn.LengthSquared - 1) < 1e-6 ? new BallPose(in middle, in turn) : throw ByteReader.Broken("an orientation of a keeper is not of length 1");
     }
 }

@@ -7,6 +7,8 @@ namespace FootballPhysics.Engines;
 /// <remarks>
 /// <see cref="Interception.FindSave"/> decides if and where he can reach the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
 /// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball.
+/// <para>His body is never faster than <see cref="Player.Speed"/>, and turns at most at 8 rad/s. A new decision starts from the pose and velocity that he has. A dive that his
+/// speed does not allow in time ends after the ball has passed.</para>
 /// <para>With a <see cref="Rollback"/>, call <see cref="Follow(FixedStepRunner)"/> in <see cref="FixedStepRunner.MoveBodies"/>, so that resimulated steps move him too. When the
 /// clock goes back, he continues from the decisions that he had made by then. The scene for predictions must then contain nothing that moves. The state of the
 /// ball does not contain his decisions: send a peer that joins his bytes too (<see cref="ToBytes"/>, <see cref="Restore"/>).
@@ -31,11 +33,6 @@ public sealed partial class KeeperDive
     /// <summary>The lateral distance below which he stays upright, in m.</summary>
     private const double StandsUpTo = 0.3;
 
-    private const double Difference = 1e-4;
-
-    /// <summary>The shortest duration of a dive, in s.</summary>
-    private const double ShortestDive = 0.05;
-
     /// <summary>The time for which he keeps his past decisions, in s; the longest rollback.</summary>
     private const double Remembers = 10;
 
@@ -50,7 +47,7 @@ public sealed partial class KeeperDive
     private readonly Interception _interception = new();
     private readonly TrajectoryCache _path;
     private readonly Player _abilities;
-    private readonly Pose _home;
+    private readonly BallPose _home;
     private readonly Vector3d _feet;
     private Decision _last;
     private Decision[] _past = new Decision[32];
@@ -79,7 +76,7 @@ public sealed partial class KeeperDive
         _ahead = ahead;
         Goal = goal;
         _feet = feet;
-        _home = new Pose(feet + new Vector3d(0, HalfAxis + Radius, 0), Quaterniond.Identity);
+        _home = new BallPose(feet + new Vector3d(0, HalfAxis + Radius, 0), Quaterniond.Identity);
         _path = new TrajectoryCache(ahead, new LookAheadRequest { Duration = LooksAhead, TimeStep = 0.02 }, Notices);
         Stand();
         Put(0);
@@ -114,7 +111,14 @@ public sealed partial class KeeperDive
     public KeeperResult Answer => _last.Answer;
 
     /// <summary>True from the start of a dive until he is back.</summary>
-    public bool Dives => _now >= _last.Start && _now < _last.End + Stays + Returns;
+    public bool Dives
+    {
+        get
+        {
+            ref readonly KeeperMotion motion = ref Motion(ref _last, _now);
+            return !motion.IsStanding && _now < Return(in motion).End;
+        }
+    }
 
     /// <summary>The number of shots that he has dived for.</summary>
     public int Count => _last.Count;
@@ -190,7 +194,8 @@ public sealed partial class KeeperDive
     /// <summary>Stands at his position, without a decision.</summary>
     private void Stand()
     {
-        (_last.From, _last.To, _last.Start, _last.End) = (_home, _home, double.PositiveInfinity, double.NegativeInfinity);
+        _last.Before = KeeperMotion.Standing(in _home);
+        _last.Dive = _last.Before;
 
         // Recompute the path even if it matches, because no decision was made for it.
         _path.Invalidate();
@@ -246,8 +251,7 @@ public sealed partial class KeeperDive
     /// <param name="reaction">The time until he moves, in s.</param>
     private void Decide(double now, double reaction)
     {
-        Pose present = At(now);
-        Vector3d feet = Feet(in present);
+        Vector3d feet = Feet(At(now).Pose);
         Player self = Standing(in feet);
         KeeperResult answer = _interception.FindSave(_path.Path, in self, Goal, now);
         if (!answer.Crosses || !answer.IsOnTarget)
@@ -257,23 +261,24 @@ public sealed partial class KeeperDive
 
         _last.Answer = answer;
         PathPoint at = answer.Saves ? answer.Save : answer.Crossing;
-        if (now < _last.End && Vector3d.Distance(at.Position, _last.Target) < SamePlace)
+        if (now < _last.Dive.End && Vector3d.Distance(at.Position, _last.Target) < SamePlace)
         {
             return;
         }
 
         _last.Target = at.Position;
-        Dive(in present, in at, now, reaction);
+        Dive(in at, now, reaction);
         _last.Count++;
     }
 
-    /// <summary>Starts a dive that ends when the ball arrives.</summary>
-    private void Dive(in Pose present, in PathPoint at, double now, double reaction)
+    /// <summary>Starts a dive that ends when the ball arrives. Until his reaction is over, he continues his motion.</summary>
+    private void Dive(in PathPoint at, double now, double reaction)
     {
-        double left = Math.Max(0, at.Time - now - reaction);
-        (_last.From, _last.To) = (present, Reaching(Feet(in present), at.Position, left));
-        _last.Start = now + reaction;
-        _last.End = Math.Max(at.Time, _last.Start + ShortestDive);
+        double start = now + reaction;
+        _last.Before = Motion(ref _last, now);
+        KeeperState state = At(in _last.Before, start);
+        BallPose to = Reaching(Feet(state.Pose), at.Position, Math.Max(0, at.Time - start));
+        _last.Dive = KeeperMotion.Within(in state, in to, start, at.Time, _abilities.Speed);
     }
 
     /// <summary>Returns the keeper for the search: at his feet, without motion, and with heights in world coordinates.</summary>
@@ -289,7 +294,7 @@ public sealed partial class KeeperDive
     };
 
     /// <summary>Returns his pose with the hands at the ball, or as close to it as he gets.</summary>
-    private Pose Reaching(in Vector3d feet, Vector3d ball, double left)
+    private BallPose Reaching(in Vector3d feet, Vector3d ball, double left)
     {
         Vector3d aside = (ball - feet).Horizontal;
         double distance = aside.Length;
@@ -303,7 +308,7 @@ public sealed partial class KeeperDive
         if (distance <= StandsUpTo)
         {
             double lift = Math.Max(0, hands.Y - feet.Y - length);
-            return new Pose(feet + (share * aside) + new Vector3d(0, HalfAxis + Radius + lift, 0), Quaterniond.Identity);
+            return new BallPose(feet + (share * aside) + new Vector3d(0, HalfAxis + Radius + lift, 0), Quaterniond.Identity);
         }
 
         // His feet stay on the ground, unless the ball is higher than his length.
@@ -316,46 +321,36 @@ public sealed partial class KeeperDive
         double reach = Math.Max(length, (hands - foot).Length);
         Vector3d middle = foot + ((reach - (0.5 * length)) * axis);
         middle = new Vector3d(middle.X, Math.Max(middle.Y, low), middle.Z);
-        return new Pose(in middle, Between(Vector3d.Up, in axis));
+        return new BallPose(in middle, Between(Vector3d.Up, in axis));
     }
 
-    /// <summary>Returns his pose at a time: a smooth transition to the dive, a pause, and the return.</summary>
-    private Pose At(double time)
+    /// <summary>Returns the motion that he is in at a time: the dive, or until it starts, the motion before it.</summary>
+    private static ref KeeperMotion Motion(ref Decision decision, double time) => ref time < decision.Dive.Start ? ref decision.Before : ref decision.Dive;
+
+    /// <summary>Returns the motion from a dive to his position.</summary>
+    private KeeperMotion Return(in KeeperMotion dive)
     {
-        if (time < _last.End + Stays)
-        {
-            return Along(in _last.From, in _last.To, (time - _last.Start) / (_last.End - _last.Start));
-        }
-
-        return Along(in _last.To, in _home, (time - _last.End - Stays) / Returns);
+        double start = dive.End + Stays;
+        return KeeperMotion.Within(dive.At(start), in _home, start, start + Returns, _abilities.Speed);
     }
 
-    /// <summary>Moves the body to its pose at a time; the velocities are difference quotients.</summary>
+    /// <summary>Returns his state at a time.</summary>
+    private KeeperState At(double time) => At(in Motion(ref _last, time), time);
+
+    /// <summary>Returns his state at a time after a motion has started: the dive, a pause, and the return.</summary>
+    private KeeperState At(in KeeperMotion motion, double time) => motion.IsStanding || time < motion.End + Stays ? motion.At(time) : Return(in motion).At(time);
+
+    /// <summary>Moves the body to its state at a time.</summary>
     private void Put(double time)
     {
-        Pose now = At(time);
-        Pose next = At(time + Difference);
-        Vector3d velocity = (next.Middle - now.Middle) / Difference;
-
-        // q(t + δ) q(t)⁻¹ ≈ (1, ½ ω δ)
-        Quaterniond back = new(-now.Turn.X, -now.Turn.Y, -now.Turn.Z, now.Turn.W);
-        Quaterniond turned = next.Turn * back;
-        double sign = turned.W < 0 ? -2.0 : 2.0;
-        Vector3d spin = new Vector3d(turned.X, turned.Y, turned.Z) * (sign / Difference);
-        _body.MoveTo(now.Middle, now.Turn, velocity, spin, time);
-    }
-
-    private static Pose Along(in Pose from, in Pose to, double part)
-    {
-        double s = part > 0 ? Math.Min(1, part) : 0;
-        double smooth = s * s * (3.0 - (2.0 * s));
-        return new Pose(Vector3d.Lerp(from.Middle, to.Middle, smooth), Slerp.Between(from.Turn, to.Turn, smooth));
+        KeeperState state = At(time);
+        _body.MoveTo(state.Pose.Position, state.Pose.Orientation, state.Velocity, state.Spin, time);
     }
 
     /// <summary>Returns the point on the ground from which he dives.</summary>
-    private Vector3d Feet(in Pose pose)
+    private Vector3d Feet(BallPose pose)
     {
-        Vector3d end = pose.Middle - (HalfAxis * pose.Turn.Rotate(Vector3d.Up));
+        Vector3d end = pose.Position - (HalfAxis * pose.Orientation.Rotate(Vector3d.Up));
         return new Vector3d(end.X, _feet.Y, end.Z);
     }
 
@@ -370,25 +365,10 @@ public sealed partial class KeeperDive
     private struct Decision
     {
         public BallState Seen;
-        public Pose From;
-        public Pose To;
-        public double Start;
-        public double End;
+        public KeeperMotion Before;
+        public KeeperMotion Dive;
         public Vector3d Target;
         public KeeperResult Answer;
         public int Count;
-    }
-
-    private readonly struct Pose
-    {
-        public Pose(in Vector3d middle, in Quaterniond turn)
-        {
-            Middle = middle;
-            Turn = turn;
-        }
-
-        public Vector3d Middle { get; }
-
-        public Quaterniond Turn { get; }
     }
 }
