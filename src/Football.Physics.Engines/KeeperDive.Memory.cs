@@ -28,6 +28,7 @@ public sealed partial class KeeperDive
             Write(in decision.Before, ref writer);
             Write(in decision.Dive, ref writer);
             Write(decision.Target, ref writer);
+            Write(decision.Look, ref writer);
             writer.Integer((ulong)decision.Count);
         }
 
@@ -54,6 +55,7 @@ public sealed partial class KeeperDive
             decision.Before = ReadMotion(ref reader);
             decision.Dive = ReadMotion(ref reader);
             decision.Target = ReadVector(ref reader, Limits.Length, "position");
+            decision.Look = ReadNumber(ref reader);
             decision.Count = reader.Int();
             reader.End();
             try

@@ -7,6 +7,8 @@ namespace FootballPhysics.Engines;
 /// <remarks>
 /// <see cref="Interception.FindSave"/> decides if and where he can reach the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
 /// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball.
+/// <para>He looks 2.5 s ahead. If the ball moves and does not reach the line within that time, he looks again every second. So he decides at least 1.5 s before a slow ball arrives.
+/// He starts a dive at most 1 s before the ball arrives, unless he must run farther for it. If the ball leaves its path before that, he stays.</para>
 /// <para>His body is never faster than <see cref="Player.Speed"/>, and turns at most at 8 rad/s. A new decision starts from the pose and velocity that he has. A dive that his
 /// speed does not allow in time ends after the ball has passed.</para>
 /// <para>With a <see cref="Rollback"/>, call <see cref="Follow(FixedStepRunner)"/> in <see cref="FixedStepRunner.MoveBodies"/>, so that resimulated steps move him too. When the
@@ -16,8 +18,13 @@ namespace FootballPhysics.Engines;
 /// </remarks>
 public sealed partial class KeeperDive
 {
-    /// <summary>The duration of his prediction, in s.</summary>
+    /// <summary>The duration of his prediction, and the time between two looks at a ball that does not reach his line within it, in s.</summary>
     private const double LooksAhead = 2.5;
+    private const double LooksAgain = 1;
+    private const double LookStep = 0.02;
+
+    /// <summary>The time before the ball's arrival at which he dives if he need not run for it, in s.</summary>
+    private const double Waits = 1;
 
     /// <summary>The time that he stays down after a dive, and the time that he takes to return, in s.</summary>
     private const double Stays = 0.7;
@@ -77,7 +84,7 @@ public sealed partial class KeeperDive
         Goal = goal;
         _feet = feet;
         _home = new BallPose(feet + new Vector3d(0, HalfAxis + Radius, 0), Quaterniond.Identity);
-        _path = new TrajectoryCache(ahead, new LookAheadRequest { Duration = LooksAhead, TimeStep = 0.02 }, Notices);
+        _path = new TrajectoryCache(ahead, new LookAheadRequest { Duration = LooksAhead, TimeStep = LookStep }, Notices);
         Stand();
         Put(0);
     }
@@ -165,9 +172,15 @@ public sealed partial class KeeperDive
             Commit(in guess, in ball);
         }
 
+        if (_now >= _last.Look)
+        {
+            _path.Invalidate();
+        }
+
         if (_path.Update(in ball))
         {
             _last.Seen = ball;
+            _last.Look = _path.Path.EndTime < _now + LooksAhead - LookStep ? double.PositiveInfinity : _now + LooksAgain;
             if (!IsCommitted)
             {
                 Decide(_now, _abilities.Reaction);
@@ -254,28 +267,40 @@ public sealed partial class KeeperDive
         Vector3d feet = Feet(At(now).Pose);
         Player self = Standing(in feet);
         KeeperResult answer = _interception.FindSave(_path.Path, in self, Goal, now);
+        _last.Look = answer.Crosses ? double.PositiveInfinity : _last.Look;
+
+        // A planned dive can still change if it starts after his reaction.
+        bool isPlanned = _last.Dive.Start > now + reaction;
         if (!answer.Crosses || !answer.IsOnTarget)
         {
+            if (isPlanned)
+            {
+                _last.Dive = _last.Before;
+                _last.Count--;
+            }
+
             return;
         }
 
         _last.Answer = answer;
         PathPoint at = answer.Saves ? answer.Save : answer.Crossing;
-        if (now < _last.Dive.End && Vector3d.Distance(at.Position, _last.Target) < SamePlace)
+        if (!isPlanned && now < _last.Dive.End && Vector3d.Distance(at.Position, _last.Target) < SamePlace)
         {
             return;
         }
 
         _last.Target = at.Position;
         Dive(in at, now, reaction);
-        _last.Count++;
+        _last.Count += isPlanned ? 0 : 1;
     }
 
-    /// <summary>Starts a dive that ends when the ball arrives. Until his reaction is over, he continues his motion.</summary>
+    /// <summary>Plans a dive that ends when the ball arrives. Until it starts, he continues his motion.</summary>
     private void Dive(in PathPoint at, double now, double reaction)
     {
-        double start = now + reaction;
         _last.Before = Motion(ref _last, now);
+        Vector3d feet = Feet(At(now).Pose);
+        double runs = TimeFor((at.Position - feet).Horizontal.Length - _abilities.Reach);
+        double start = Math.Max(now + reaction, at.Time - Math.Max(Waits, runs));
         KeeperState state = At(in _last.Before, start);
         BallPose to = Reaching(Feet(state.Pose), at.Position, Math.Max(0, at.Time - start));
         _last.Dive = KeeperMotion.Within(in state, in to, start, at.Time, _abilities.Speed);
@@ -370,5 +395,8 @@ public sealed partial class KeeperDive
         public Vector3d Target;
         public KeeperResult Answer;
         public int Count;
+
+        /// <summary>The time at which he looks again; ∞ if only another path of the ball changes anything.</summary>
+        public double Look;
     }
 }
