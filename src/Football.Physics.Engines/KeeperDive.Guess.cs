@@ -9,7 +9,7 @@ public sealed partial class KeeperDive
     /// Acceleration, speed, reach and height are chosen so that with <see cref="KeeperGuess.Draw"/> the shares of <c>lab penalties</c> agree with published ones: of 2 379 penalties
     /// at World Cups, European Championships and in European cups, 77.8 % were scored (Brinkschulte, Furley and Memmert, doi:10.21203/rs.3.rs-400697/v1, 2021).
     /// </remarks>
-    public static Player Penalty => new() { Reaction = 0.245, Acceleration = 8, Speed = 5, Reach = 0.6, MaximumHeight = 2.4 };
+    public static Player Penalty => new() { Reaction = 0.245, Acceleration = 8, Speed = 4.5, Reach = 0.3, MaximumHeight = 2.4 };
 
     /// <summary>True while he is in the dive of his guess.</summary>
     private bool IsCommitted => Guess is { } guess && _last.Dive.Start == guess.Time && _now < _last.Dive.End;
@@ -41,7 +41,7 @@ public sealed partial class KeeperDive
         Vector3d feet = Feet(At(_now).Pose);
         Player self = Standing(in feet).Reacting(0);
         KeeperResult answer = _interception.FindSave(_path.Path, in self, Goal, _now);
-        PathPoint at = answer.Saves ? answer.Save : answer.Crossing;
+        PathPoint at = Meeting(in answer, in self, _now);
         if (!answer.Crosses || !answer.IsOnTarget || SideOf(at.Position) != SideOf(_last.Target))
         {
             return;
@@ -53,7 +53,11 @@ public sealed partial class KeeperDive
         _last.Seen = ball;
         _last.Answer = answer;
         _last.Target = at.Position;
-        Dive(in at, _now, 0);
+
+        // He is in his dive since the guess, so he gets as far as from there.
+        BallPose to = Reaching(Feet(_last.Dive.From.Pose), at.Position, at.Time - _last.Dive.Start);
+        _last.Before = _last.Dive;
+        _last.Dive = KeeperMotion.Within(At(_now), in to, _now, at.Time, _abilities.Speed);
         Remember();
     }
 

@@ -126,6 +126,32 @@ public sealed class KeeperMotionTests
         Assert.True(looks[^1] < 8 && ball.State.Velocity.Length == 0, string.Join(" ", looks));
     }
 
+    /// <summary>He goes to the point of the path that is next to him, not to the first that he can reach.</summary>
+    [Theory]
+    [InlineData(1.2, 3, -18)]
+    [InlineData(0.8, 4, -13)]
+    [InlineData(2.2, 3, -18)]
+    public void He_stays_near_his_line(double x, double y, double z)
+    {
+        (Ball ball, BallScene stage) = Shot(new Vector3d(x, y, z), s_goal);
+        KinematicBody body = stage.Game.Scene.Bodies![0];
+        double farthest = 0;
+        bool touched = false;
+        while (ball.Time < 4)
+        {
+            stage.BeforeStep(ball.State);
+            farthest = Math.Max(farthest, body.Position.Z - s_goal.Center.Z);
+            ball.Step(TimeStep);
+            foreach (BallEvent item in ball.Events)
+            {
+                Assert.NotEqual(BallEventKind.Goal, item.Kind);
+                touched |= ball.NameOf(item) == "keeper";
+            }
+        }
+
+        Assert.True(touched && farthest < 1, $"{farthest} m before the line, touched: {touched}");
+    }
+
     private static (Ball Ball, BallScene Stage) Shot(Vector3d velocity, Goal goal)
     {
         var stage = new BallScene();
