@@ -1,4 +1,5 @@
 using FootballPhysics.Game;
+using static FootballPhysics.Engines.KeeperBytes;
 
 namespace FootballPhysics.Engines;
 
@@ -73,57 +74,5 @@ public sealed partial class KeeperDive
         _count = decided ? 1 : 0;
         _past[0] = decision;
         _last = decision;
-    }
-
-    private static void Write(in KeeperMotion motion, ref ByteWriter writer)
-    {
-        Write(motion.From.Pose, ref writer);
-        Write(motion.From.Velocity, ref writer);
-        Write(motion.From.Spin, ref writer);
-        Write(motion.To, ref writer);
-        Write(motion.Start, ref writer);
-        Write(motion.End, ref writer);
-    }
-
-    private static void Write(BallPose pose, ref ByteWriter writer)
-    {
-        Write(pose.Position, ref writer);
-        Write(new Vector3d(pose.Orientation.X, pose.Orientation.Y, pose.Orientation.Z), ref writer);
-        Write(pose.Orientation.W, ref writer);
-    }
-
-    private static void Write(Vector3d vector, ref ByteWriter writer)
-    {
-        Write(vector.X, ref writer);
-        Write(vector.Y, ref writer);
-        Write(vector.Z, ref writer);
-    }
-
-    private static void Write(double number, ref ByteWriter writer) => writer.Bits((ulong)BitConverter.DoubleToInt64Bits(number), sizeof(double));
-
-    private static KeeperMotion ReadMotion(ref ByteReader reader)
-    {
-        BallPose from = ReadPose(ref reader);
-        Vector3d velocity = ReadVector(ref reader, Limits.Speed, "velocity");
-        Vector3d spin = ReadVector(ref reader, Limits.Spin, "spin");
-        BallPose to = ReadPose(ref reader);
-        var motion = new KeeperMotion(new KeeperState(in from, in velocity, in spin), in to, ReadNumber(ref reader), ReadNumber(ref reader));
-        return motion.IsValid ? motion : throw ByteReader.Broken("a motion of a keeper has no duration");
-    }
-
-    private static double ReadNumber(ref ByteReader reader) => BitConverter.Int64BitsToDouble((long)reader.Bits(sizeof(double)));
-
-    private static Vector3d ReadVector(ref ByteReader reader, double most, string what)
-    {
-        var vector = new Vector3d(ReadNumber(ref reader), ReadNumber(ref reader), ReadNumber(ref reader));
-        return vector.IsFinite && vector.Length <= most ? vector : throw ByteReader.Broken($"a {what} of a keeper is out of range");
-    }
-
-    private static BallPose ReadPose(ref ByteReader reader)
-    {
-        Vector3d middle = ReadVector(ref reader, Limits.Length, "position");
-        Vector3d axis = ReadVector(ref reader, 2, "orientation");
-        var turn = new Quaterniond(axis.X, axis.Y, axis.Z, ReadNumber(ref reader));
-        return Math.Abs(turn.LengthSquared - 1) < 1e-6 ? new BallPose(in middle, in turn) : throw ByteReader.Broken("an orientation of a keeper is not of length 1");
     }
 }
