@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Batch;
-
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>A keeper who is played lets in as many goals as the chance of a goal says for the same abilities.</summary>
