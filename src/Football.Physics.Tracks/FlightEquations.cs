@@ -88,11 +88,11 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
         flight.Worst = Math.Sqrt(worst);
     }
 
-    /// <summary>Returns the residuals of a flight's points, in m.</summary>
-    public Vector3d[] Misses(Simulator simulator, FlightPath flight)
+    /// <summary>Returns the residuals of a flight's points for a launch, in m.</summary>
+    public Vector3d[] Misses(Simulator simulator, FlightPath flight, double[] values)
     {
         Reserve(flight.Count);
-        Follow(simulator, flight, flight.Values, _path);
+        Follow(simulator, flight, values, _path);
         var misses = new Vector3d[flight.Count];
         for (int i = 0; i < misses.Length; i++)
         {
@@ -129,11 +129,7 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
         {
             ref readonly TrackPoint point = ref track[flight.First + i];
             Vector3d miss = point.Position - _path[i];
-            double across = Deviation(in point);
-            double up = HeightDeviation(in point);
-            double off = Off(in miss, across, up);
-            double weight = Huber.Weight(off, Outlier);
-            var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
+            Vector3d weights = Weights(in point, in miss);
             for (int j = 0; j < size; j++)
             {
                 Vector3d left = Weighted(j < 3 ? Vector3d.Axis(j) : jacobian[j][i], in weights);
@@ -232,6 +228,15 @@ internal sealed class FlightEquations(TrackPoint[] track, double noise, double d
 
     /// <summary>Returns the standard deviation of a point's coordinates, in m.</summary>
     public double Deviation(in TrackPoint point) => Math.Max(deviation, point.Noise);
+
+    /// <summary>Returns the weights of the coordinates of a point with a residual, in 1/m²; less for an outlier.</summary>
+    public Vector3d Weights(in TrackPoint point, in Vector3d miss)
+    {
+        double across = Deviation(in point);
+        double up = HeightDeviation(in point);
+        double weight = Huber.Weight(Off(in miss, across, up), Outlier);
+        return new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
+    }
 
     /// <summary>Returns the standard deviation of a point's height, in m.</summary>
     private double HeightDeviation(in TrackPoint point)

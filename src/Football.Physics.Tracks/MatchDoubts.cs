@@ -4,7 +4,7 @@ namespace FootballPhysics.Tracks;
 internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEquations equations, TrackPoint[] track, List<FlightPath> flights, double[] shares)
 {
     /// <summary>The deviations of gravity, and its error, beyond which times or heights are wrong: of the scene's ball, of another ball, and of any.</summary>
-    private const double WeightDeviations = 3.5;
+    private const double WeightDeviations = 3.2;
     private const double LeastWeight = 0.008;
     private const double LeastStrangeWeight = 0.014;
     private const double LargeWeight = 0.025;
@@ -17,25 +17,35 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     /// <summary>The square of the change of wind, in deviations, and the change in m/s, beyond which a part of the track is turned.</summary>
     private const double WindDeviations = 30;
     private const double LeastWind = 0.8;
+    private const double SureWindDeviations = 60;
+    private const double SureWind = 0.45;
+
+    /// <summary>The critical Reynolds numbers of footballs.</summary>
+    /// <remarks>Measured balls: 0.85e5 (a rough one in a stadium) … 2.4e5 (a smooth one). A fit beyond these has found no crisis at the speeds of the track.</remarks>
+    private const double LeastCrisis = 0.82e5;
+    private const double MostCrisis = 2.6e5;
 
     /// <summary>The square of the distance of the fitted drag from that of the ball, in deviations, above which the laws are in doubt.</summary>
     private const double MostStrangeness = 12;
 
     /// <summary>The errors of the drag and of the lift of a flight as shares of them: with a fitted shape of the drag curve, and without.</summary>
     /// <remarks>Below: of simulated flights by other laws, fewer than 98 % are within three deviations. Above: more than 76 % are within one.</remarks>
-    private const double ShapedDrag = 0.02;
-    private const double ShapedLift = 0.05;
-    private const double LawDrag = 0.06;
-    private const double LawLift = 0.12;
+    private const double ShapedDrag = 0.015;
+    private const double ShapedLift = 0.035;
+    private const double LawDrag = 0.045;
+    private const double LawLift = 0.08;
 
     /// <summary>The same for a short flight and for the flight before an impact: of a velocity as a share of it, and of a spin in rad/s and as a share of it.</summary>
     private const double LawVelocity = 0.0025;
     private const double LawSpin = 1;
-    private const double LawSpinShare = 0.08;
+    private const double LawSpinShare = 0.05;
 
     /// <summary>The squares of deviations above which a factor of gravity, and a change of the wind at the most different moment, add a doubt to the launches.</summary>
     private const double WeightDoubt = 4;
     private const double WindDoubt = 15;
+
+    /// <summary>The ratio to the median residual above which a flight is no example of the others.</summary>
+    private const double Odd = 1.6;
 
     /// <summary>The minimum number of flights in each part.</summary>
     private const int LeastFlights = 3;
@@ -58,12 +68,21 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     /// <summary>True if the shape of the drag curve was fitted, because that of the ball does not describe the flights.</summary>
     public bool HasOtherLaw { get; private set; }
 
+    /// <summary>The residual of the flights beyond the noise, in m, without flights that fit far worse than the others.</summary>
+    public double Excess { get; private set; }
+
+    /// <summary>The fit with the doubts about the laws of the ball; null without doubts.</summary>
+    public SharedFit? Doubted { get; private set; }
+
     /// <summary>True if times or heights have a wrong scale.</summary>
     public bool IsScaled => Math.Abs(Weight - 1) > Math.Max(IsStrange ? LeastStrangeWeight : LeastWeight, WeightDeviations * WeightDeviation)
         || Math.Abs(Weight - 1) > Math.Max(LargeWeight, LargeWeightDeviations * WeightDeviation);
 
     /// <summary>True if the wind changes within the track.</summary>
-    public bool IsTurned => WindOdds > WindDeviations && WindChange > LeastWind;
+    public bool IsTurned => (WindOdds > WindDeviations && WindChange > LeastWind) || (WindOdds > SureWindDeviations && WindChange > SureWind);
+
+    /// <summary>True if the fitted crisis is none of a football.</summary>
+    public bool HasNoCrisis { get; private set; }
 
     /// <summary>True if the drag of the fitted ball is not that of the scene's ball.</summary>
     public bool IsStrange => HasOtherLaw || Strangeness > MostStrangeness;
@@ -81,6 +100,7 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         HasOtherLaw = law;
         var model = new MatchModel(scene, request, law);
         Strangeness = model.Strangeness(fit.Values, fit.Covariance);
+        HasNoCrisis = IsStrange && model.CrisisAt >= 0 && (fit.Values[model.CrisisAt] < LeastCrisis || fit.Values[model.CrisisAt] > MostCrisis);
         if (IsStrange)
         {
             var doubted = new SharedFit(equations, new MatchModel(scene, request, law, knownLift: true), request.Lift ? fit.Values : [.. fit.Values, 1])
@@ -90,12 +110,25 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             };
             doubted.MeasureUncertainty(flights, shares, watch);
             CopyCovariance(doubted, fit);
+            Doubted = doubted;
         }
 
         if (flights.Count == 0)
         {
             return;
         }
+
+        FlightPath[] sorted = [.. flights.OrderBy(flight => flight.Rms)];
+        double most = Odd * sorted[sorted.Length / 2].Rms;
+        double squares = 0;
+        int points = 0;
+        foreach (FlightPath flight in flights)
+        {
+            squares += flight.Rms <= most ? flight.Count * flight.Rms * flight.Rms : 0;
+            points += flight.Rms <= most ? flight.Count : 0;
+        }
+
+        Excess = Math.Sqrt(Math.Max(0, (squares / points) - (3 * equations.Noise * equations.Noise)));
 
         // One evaluation with a factor of gravity: from its equations, linear steps answer every question.
         var weighed = new SharedFit(equations, new MatchModel(scene, request, law, weight: true), [.. fit.Values, 1]);

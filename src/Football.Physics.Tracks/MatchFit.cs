@@ -13,10 +13,6 @@ public sealed class MatchFit
     /// <summary>The model error of the flight laws, in m: gusts, wobble, and the tracker's estimate of the ball's centre.</summary>
     private const double LawError = 0.01;
 
-    /// <summary>The residual above which a flight is fitted again from other spins, in m, and the size of those spins, in rad/s.</summary>
-    private const double Poor = 0.03;
-    private const double OtherSpin = 90;
-
     /// <summary>The minimum duration of a flight from which the shared parameters are estimated, in s.</summary>
     private const double ShortestUsed = 0.3;
 
@@ -79,8 +75,11 @@ public sealed class MatchFit
         fit = WithLaw(equations, request, model, fit, begin, used, watch);
         watch.Start(0.95);
         finder.JoinBy(fit, flights, watch);
+        flights.ForEach(new FlightEnds(equations, fit, watch).Trim);
         used = LongFlights(runs, flights);
-        TryOtherSpins(fit, equations, used, watch);
+        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
+        var tried = new SpinProfile(equations, fit);
+        used.ForEach(flight => tried.Search(flight, other => alone.Descend([other], [1], watch)));
         double[] shares = SharedFit.Shares(used);
         fit.Descend(used, shares, watch);
         List<FlightPath> brief = flights.FindAll(f => !used.Contains(f));
@@ -89,7 +88,13 @@ public sealed class MatchFit
         double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
         equations.Contact = contact;
         double doubt = MatchDoubts.OfSpin(fit, model);
-        new MatchPieces(runs, equations, fit.At, contact).SetPriorSpins(flights, request.SpinDeviation, doubt, flight => FitShort(fit, equations, [flight], watch));
+        var profile = new SpinProfile(equations, fit);
+        flights.ForEach(profile.Widen);
+        new MatchPieces(runs, equations, fit.At, contact).SetPriorSpins(flights, request.SpinDeviation, doubt, flight =>
+        {
+            FitShort(fit, equations, [flight], watch);
+            profile.Widen(flight);
+        });
         fit.Descend(used, shares, watch);
         fit.MeasureUncertainty(used, shares, watch);
         FitShort(fit, equations, brief, watch);
@@ -97,6 +102,7 @@ public sealed class MatchFit
         var doubts = new MatchDoubts(_scene, request, equations, runs.Points, used, shares);
         doubts.Test(fit, watch);
         doubts.Widen(brief);
+        flights.ForEach(new SpinProfile(equations, doubts.Doubted ?? fit).Widen);
         MatchFitResult result = Result(request, runs, equations, finder, flights, used, model, fit, contact, heightDeviation);
         result.Verdict = new MatchVerdict(result, doubts, runs);
         watch.Finish();
@@ -214,42 +220,6 @@ public sealed class MatchFit
         }
 
         return high > 0 ? (double)covered / high : 1;
-    }
-
-    /// <summary>Fits poor flights again from other spins: strong and weak spin can slow a ball alike in different air.</summary>
-    private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, FitWatch watch)
-    {
-        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
-        foreach (FlightPath flight in flights)
-        {
-            if (flight.Rms < Poor)
-            {
-                continue;
-            }
-
-            Vector3d v = flight.Velocity;
-            Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(v.X, 0, v.Z));
-            across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-            double[] best = flight.Values;
-            double least = flight.Rms;
-            double[] begin = flight.Values;
-            for (int i = 0; i < 4; i++)
-            {
-                Vector3d spin = (i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up);
-                double[] start = (double[])begin.Clone();
-                (start[6], start[7], start[8]) = (spin.X, spin.Y, spin.Z);
-                flight.Values = start;
-                alone.Descend([flight], [1], watch);
-                if (flight.Rms < least)
-                {
-                    least = flight.Rms;
-                    best = (double[])flight.Values.Clone();
-                }
-            }
-
-            flight.Values = best;
-            equations.Measure(fit.At, flight);
-        }
     }
 
     /// <summary>

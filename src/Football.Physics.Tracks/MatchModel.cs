@@ -86,6 +86,9 @@ internal sealed class MatchModel
     /// <summary>The index of the factor of the drag; −1 if it is not estimated.</summary>
     public int DragAt => _dragAt;
 
+    /// <summary>The index of the critical Reynolds number; −1 if it is not estimated.</summary>
+    public int CrisisAt => _crisisAt;
+
     /// <summary>The index of the factor of the lift; −1 if there is none.</summary>
     public int LiftAt => _liftAt;
 

@@ -31,7 +31,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     private const double MostGain = 1.5;
 
     /// <summary>The uncertainty of a change of horizontal velocity beyond those of the flights, and of a twist by friction as the velocity of a rim, in m/s.</summary>
-    private const double UnsureChange = 0.2;
+    private const double UnsureChange = 0.05;
     private const double UnsureTwist = 1;
 
     /// <summary>The growth of a flight's squared residuals, in variances, above which the spin after an impact is not that of the flight.</summary>

@@ -65,8 +65,10 @@ internal sealed class MatchVerdict
     /// <summary>The share of the points above the ground in flights below which the ball does not fly as one does.</summary>
     private const double LeastCovered = 0.35;
 
-    /// <summary>The residual beyond the noise, in m, that another law of drag must not leave.</summary>
-    private const double LawError = 0.0075;
+    /// <summary>The residual beyond the noise that another drag than that of the ball must not leave: in m, and as a multiple of the noise.</summary>
+    /// <remarks>Below: the residual of a tenth of the flights of a ball with other drag is above it by chance. Above: constant drags pass.</remarks>
+    private const double LawError = 0.0065;
+    private const double LawShare = 0.7;
 
     /// <summary>The minimum number of flights, and the largest noise in m, for shared parameters; the minimum number of impacts for the surface.</summary>
     private const int LeastFlights = 4;
@@ -89,11 +91,10 @@ internal sealed class MatchVerdict
         _fit = fit;
         _doubts = doubts;
         _runs = runs;
-        double excess = Math.Sqrt(Math.Max(0, (fit.Rms * fit.Rms) - (3 * fit.Noise * fit.Noise)));
         Suspicions = (runs.OnLines > 0 ? TrackSuspicions.Lines : 0) | (runs.Held > 0 ? TrackSuspicions.Held : 0)
             | (fit.Rms > MostRms || fit.Noise > MostNoise ? TrackSuspicions.Units : 0)
             | (doubts.IsScaled ? TrackSuspicions.Scale : 0) | (doubts.IsTurned ? TrackSuspicions.Turned : 0)
-            | (doubts.HasOtherLaw && doubts.IsStrange && excess > LawError ? TrackSuspicions.DragLaw : 0)
+            | (doubts.HasNoCrisis || (doubts.HasOtherLaw && doubts.Excess > Math.Sqrt((LawError * LawError) + (LawShare * fit.Noise * LawShare * fit.Noise))) ? TrackSuspicions.DragLaw : 0)
             | (IsMisfit(fit.Rms, fit.Noise) || fit.Covered < LeastCovered ? TrackSuspicions.Misfit : 0);
         bool isFree = fit.Flights > 0 && (Suspicions & ~(TrackSuspicions.Lines | TrackSuspicions.Held)) == 0;
         bool many = isFree && fit.Flights >= LeastFlights && fit.Noise <= CoarseNoise;

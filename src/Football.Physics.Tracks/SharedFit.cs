@@ -196,8 +196,11 @@ internal sealed class SharedFit
                 spread[((6 + k) * _size) + 6 + k] += known.Along(k);
             }
 
-            AddDoubt(_model.DragAt, DragDoubt, normal, spread);
-            AddDoubt(_model.LiftAt, LiftDoubt, normal, spread);
+            foreach ((int parameter, double doubt) in Doubts)
+            {
+                AddDoubt(parameter, doubt, normal, spread);
+            }
+
             scores[f] = new FlightScore(_shared, normal, gradient, spread, shares[f]);
         }
 
@@ -211,16 +214,27 @@ internal sealed class SharedFit
         return new Vector3d(Width(6), Width(7), Width(8));
     }
 
-    /// <summary>Adds the covariance of the gradient for a factor of the flight that differs from the common one.</summary>
-    private void AddDoubt(int parameter, double share, double[] normal, double[] spread)
+    /// <summary>The common parameters that differ from flight to flight, and their deviations.</summary>
+    public IEnumerable<(int Parameter, double Deviation)> Doubts
     {
-        if (share == 0 || parameter < 0)
+        get
         {
-            return;
-        }
+            if (DragDoubt > 0 && _model.DragAt >= 0)
+            {
+                yield return (_model.DragAt, DragDoubt * Values[_model.DragAt]);
+            }
 
+            if (LiftDoubt > 0 && _model.LiftAt >= 0)
+            {
+                yield return (_model.LiftAt, LiftDoubt * Values[_model.LiftAt]);
+            }
+        }
+    }
+
+    /// <summary>Adds the covariance of the gradient for a parameter of the flight that differs from the common one.</summary>
+    private void AddDoubt(int parameter, double deviation, double[] normal, double[] spread)
+    {
         int at = Launch + parameter;
-        double deviation = share * Values[parameter];
         for (int i = 0; i < spread.Length; i++)
         {
             spread[i] += deviation * deviation * normal[(i / _size * _size) + at] * normal[(i % _size * _size) + at];
@@ -294,16 +308,21 @@ internal sealed class SharedFit
     {
         var shared = new Simulator[_shared];
         differences = new double[_shared];
-        double[] values = new double[_shared];
         for (int j = 0; j < _shared; j++)
         {
-            Array.Copy(Values, values, _shared);
-            differences[j] = _model.Difference(j);
-            values[j] += differences[j];
-            shared[j] = new Simulator(_model.Scene(values));
+            shared[j] = Changed(j, out differences[j]);
         }
 
         return shared;
+    }
+
+    /// <summary>Returns the scene with one shared parameter changed.</summary>
+    public Simulator Changed(int parameter, out double difference)
+    {
+        double[] values = (double[])Values.Clone();
+        difference = _model.Difference(parameter);
+        values[parameter] += difference;
+        return new Simulator(_model.Scene(values));
     }
 
     /// <summary>Computes a damped step.</summary>
@@ -419,7 +438,7 @@ internal sealed class SharedFit
     /// <param name="misfit">The variance of a misfit of the laws, per coordinate, in m².</param>
     private double Variance(FlightPath flight, out double misfit)
     {
-        Vector3d[] off = _system.Misses(At, flight);
+        Vector3d[] off = _system.Misses(At, flight, flight.Values);
         double[] misses = new double[3 * off.Length];
         for (int i = 0; i < misses.Length; i++)
         {
