@@ -1,5 +1,6 @@
 using FootballPhysics.Labs.People;
 using FootballPhysics.Labs.Stability;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -149,6 +150,18 @@ internal sealed class Arena
         else
         {
             Simulator.Step(ref Balls[0], frame, log);
+        }
+    }
+
+    /// <summary>Returns the motions of the bodies, which pushes change, for a later restore.</summary>
+    public RigidMotion[] Keep() => [.. Scene.Bodies!.Select(body => body.Motion)];
+
+    /// <summary>Restores the motions of the bodies.</summary>
+    public void Restore(RigidMotion[] kept)
+    {
+        for (int i = 0; i < kept.Length; i++)
+        {
+            Scene.Bodies![i].Motion = kept[i];
         }
     }
 

@@ -1,5 +1,6 @@
 using FootballPhysics.Labs.Goals;
 using FootballPhysics.Labs.People;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stress;
 
@@ -160,12 +161,13 @@ internal sealed class MatchPlay
         FormattableString at = $"{_arena.Time} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}";
         _log.Clear();
         _arena.Balls.CopyTo(_before, 0);
+        RigidMotion[] bodies = _times ? _arena.Keep() : [];
         double start = ThreadClock.Milliseconds;
         _arena.Step(frame, _log);
         double time = ThreadClock.Milliseconds - start;
         if (_times && time > StepTimes.Slow)
         {
-            Repeat(frame, time, at);
+            Repeat(frame, time, bodies, at);
         }
 
         _counts.Add("steps");
@@ -197,13 +199,15 @@ internal sealed class MatchPlay
         }
     }
 
-    /// <summary>Repeats a step that took long from the same states, and keeps it if it takes long in each repeat.</summary>
-    private void Repeat(double frame, double time, FormattableString at)
+    /// <summary>Repeats a step that took long from the same states of balls and bodies, and keeps it if it takes long in each repeat.</summary>
+    private void Repeat(double frame, double time, RigidMotion[] bodies, FormattableString at)
     {
         _arena.Balls.CopyTo(_after, 0);
+        RigidMotion[] pushed = _arena.Keep();
         for (int i = 0; i < StepTimes.Repeats && time > StepTimes.Slow; i++)
         {
             _before.CopyTo(_arena.Balls, 0);
+            _arena.Restore(bodies);
             _log.Clear();
             double start = ThreadClock.Milliseconds;
             _arena.Step(frame, _log);
@@ -211,6 +215,7 @@ internal sealed class MatchPlay
         }
 
         _after.CopyTo(_arena.Balls, 0);
+        _arena.Restore(pushed);
         if (time > StepTimes.Slow)
         {
             _outcome.Slow.Add(new SlowStep(time, _log.Evaluations, _log.SearchEvaluations, _log.Steps, FormattableString.Invariant($"match {_outcome.Index}, {at}")));
