@@ -54,9 +54,9 @@ internal static class ContactSet
         {
             // Keep contacts that neither close nor separate: (v − V)·n ≈ 0, with the object's velocity V.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
-            if (rate >= -closing && rate <= leaving)
+            if (rate >= -closing && rate <= leaving && kept++ < i)
             {
-                set[kept++] = set[i];
+                set[kept - 1] = set[i];
             }
         }
 
@@ -426,14 +426,10 @@ internal static class ContactSet
     {
         for (int i = 1; i < set.Length; i++)
         {
-            Contact contact = set[i];
-            int place = i;
-            for (; place > 0 && world.ComesFirst(contact.Collider, in contact.Normal, set[place - 1].Collider, in set[place - 1].Normal); place--)
+            for (int place = i; place > 0 && world.ComesFirst(set[place].Collider, in set[place].Normal, set[place - 1].Collider, in set[place - 1].Normal); place--)
             {
-                set[place] = set[place - 1];
+                (set[place], set[place - 1]) = (set[place - 1], set[place]);
             }
-
-            set[place] = contact;
         }
     }
 }

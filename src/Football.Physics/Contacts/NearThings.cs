@@ -170,13 +170,12 @@ internal struct NearThings(World world, in Bounds3d box, double time, double dur
     {
         Collider collider = _world.ByIndex[moving];
 
-        // The box that the collider sweeps during this time.
+        // The box that the collider sweeps during this time, axis by axis.
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);
-        if (_duration > 0)
-        {
-            bounds = bounds.Union(bounds.Translated(_duration * collider.Velocity));
-        }
-
-        return bounds.Intersects(in _box);
+        Vector3d by = _duration > 0 ? _duration * collider.Velocity : Vector3d.Zero;
+        return Meets(bounds.Min.X, bounds.Max.X, by.X, _box.Min.X, _box.Max.X) && Meets(bounds.Min.Y, bounds.Max.Y, by.Y, _box.Min.Y, _box.Max.Y)
+            && Meets(bounds.Min.Z, bounds.Max.Z, by.Z, _box.Min.Z, _box.Max.Z);
     }
+
+    private static bool Meets(double min, double max, double by, double otherMin, double otherMax) => Math.Min(min, min + by) <= otherMax && Math.Max(max, max + by) >= otherMin;
 }

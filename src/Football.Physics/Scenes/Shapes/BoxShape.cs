@@ -98,9 +98,7 @@ public sealed class BoxShape : IShape, IExactHollow
 
         // Beyond one pair of faces, the nearest surface is a plane; beyond two, an edge; beyond three, a corner.
         int beyond = (outX > 0 ? 1 : 0) + (outY > 0 ? 1 : 0) + (outZ > 0 ? 1 : 0);
-        SymmetricMatrix3d curvature = beyond == 1 ? SymmetricMatrix3d.Zero
-            : beyond == 3 ? SymmetricMatrix3d.AroundPoint(in normal, l)
-            : SymmetricMatrix3d.AroundAxis(in normal, outX > 0 ? (outY > 0 ? _z : _y) : _x, l);
-        return new ShapePoint(l, in normal, in curvature);
+        return beyond == 1 ? new ShapePoint(l, in normal, SymmetricMatrix3d.Zero)
+            : new ShapePoint(l, in normal, beyond == 3 ? Vector3d.Zero : outX > 0 ? (outY > 0 ? _z : _y) : _x, l);
     }
 }

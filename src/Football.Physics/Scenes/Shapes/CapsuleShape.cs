@@ -69,8 +69,7 @@ public sealed class CapsuleShape : IShape, IExactHollow
         }
 
         Vector3d normal = away / l;
-        SymmetricMatrix3d curvature = beside ? SymmetricMatrix3d.AroundAxis(in normal, in _axis, l) : SymmetricMatrix3d.AroundPoint(in normal, l);
-        return new ShapePoint(l - Radius, in normal, in curvature);
+        return new ShapePoint(l - Radius, in normal, beside ? _axis : Vector3d.Zero, l);
     }
 
     /// <summary>Returns a unit vector across an axis, for a point on the axis.</summary>

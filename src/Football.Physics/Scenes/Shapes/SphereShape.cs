@@ -36,7 +36,6 @@ public sealed class SphereShape : IShape, IExactHollow
         // At the centre, every direction points outwards: use up.
         Vector3d from = point - Center;
         double l = from.Length;
-        Vector3d normal = l > 0 ? from / l : Vector3d.Up;
-        return new ShapePoint(l - Radius, in normal, l > 0 ? SymmetricMatrix3d.AroundPoint(in normal, l) : SymmetricMatrix3d.Zero);
+        return l > 0 ? new ShapePoint(l - Radius, from / l, Vector3d.Zero, l) : new ShapePoint(-Radius, Vector3d.Up, SymmetricMatrix3d.Zero);
     }
 }

@@ -36,6 +36,6 @@ internal sealed class TangentShape : IShape, IExactHollow
         double ratio = Math.Sqrt(Math.Max(0, 1.0 + (_curvature * inner)));
         double distance = inner / (1.0 + ratio);
         Vector3d normal = ratio > 0 ? ((_curvature * point) + _normal) / ratio : _normal;
-        return new ShapePoint(distance, in normal, ratio > 0 ? SymmetricMatrix3d.AroundPoint(in normal, ratio / _curvature) : SymmetricMatrix3d.Zero);
+        return ratio > 0 ? new ShapePoint(distance, in normal, Vector3d.Zero, ratio / _curvature) : new ShapePoint(distance, in normal, SymmetricMatrix3d.Zero);
     }
 }
