@@ -4,7 +4,7 @@ namespace FootballPhysics.Tracks;
 /// <remarks>One such point of a slow ball changes the spin by more than all others reveal.</remarks>
 internal sealed class FlightEnds(FlightEquations equations, SharedFit fit, FitWatch watch)
 {
-    /// <summary>The residual of an end beyond which it is no point of the flight, as a multiple of the noise and of the root mean square of the other points.</summary>
+    /// <summary>The residual of an end beyond which it is no point of the flight, as a multiple of the noise and of the root mean square of the other points; and at least the error of the laws.</summary>
     private const double Far = 5;
     private const double FarShare = 3;
 
@@ -25,8 +25,8 @@ internal sealed class FlightEnds(FlightEquations equations, SharedFit fit, FitWa
             double before = misses[0].LengthSquared;
             double after = misses[misses.Length - 1].LengthSquared;
             double others = ((flight.Count * flight.Rms * flight.Rms) - Math.Max(before, after)) / (flight.Count - 1);
-            double most = Math.Max(Far * Far * 3 * equations.Noise * equations.Noise, FarShare * FarShare * others);
             bool isFirst = before > after;
+            double most = Math.Max(MatchFit.LawError * MatchFit.LawError, Math.Max(Far * Far * 3 * equations.Noise * equations.Noise, FarShare * FarShare * others));
             if (Math.Max(before, after) < most || (isFirst ? flight.First - first : end - flight.End) == MostPoints)
             {
                 return;

@@ -11,7 +11,7 @@ namespace FootballPhysics.Tracks;
 public sealed class MatchFit
 {
     /// <summary>The model error of the flight laws, in m: gusts, wobble, and the tracker's estimate of the ball's centre.</summary>
-    private const double LawError = 0.01;
+    internal const double LawError = 0.01;
 
     /// <summary>The minimum duration of a flight from which the shared parameters are estimated, in s.</summary>
     private const double ShortestUsed = 0.3;

@@ -6,7 +6,7 @@ namespace FootballPhysics.Tool.Tests;
 public sealed class NetworkSampleTests
 {
     [Theory]
-    [InlineData("server", 13)]
+    [InlineData("server", 16)]
     [InlineData("ggpo", 10)]
     public async Task Two_machines_on_a_bad_network_play_one_match_to_the_last_bit(string style, int seed)
     {
