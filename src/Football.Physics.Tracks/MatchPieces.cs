@@ -124,7 +124,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
     /// flight, which the air alone would hardly reveal in such a short time.
     /// </remarks>
     /// <param name="flights">The flights, in order of time.</param>
-    /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
+    /// <param name="spinDeviation">The prior standard deviation of a spin component of a flight whose predecessor reveals no spin, in rad/s.</param>
     /// <param name="doubt">The doubt about a spin as a share of it, beyond its standard deviation, because the laws of the ball are in doubt.</param>
     /// <param name="fit">Fits a flight again after its prior changed; the next flight uses the result.</param>
     public void SetPriorSpins(List<FlightPath> flights, double spinDeviation, double doubt, Action<FlightPath> fit)
@@ -165,7 +165,7 @@ internal sealed class MatchPieces(TrackRuns runs, FlightEquations equations, Sim
             }
 
             double Unsure(double before, double change) =>
-                before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (doubtful * doubtful) + (change * change))) : spinDeviation;
+                before > 0 ? Math.Sqrt((before * before) + (doubtful * doubtful) + (change * change)) : spinDeviation;
             double Change(int axis) =>
                 lever * Math.Sqrt((UnsureChange * UnsureChange) + (Deviation(a, 3 + axis) * Deviation(a, 3 + axis)) + (Deviation(b, 3 + axis) * Deviation(b, 3 + axis)));
         }
