@@ -20,6 +20,10 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     private const double SureWindDeviations = 60;
     private const double SureWind = 0.45;
 
+    /// <summary>The same for parts that are fitted apart. Above: turned halves stay unseen. Below: balls of which a part has few flights.</summary>
+    private const double PartDeviations = 50;
+    private const double PartWind = 2;
+
     /// <summary>The critical Reynolds numbers of footballs.</summary>
     /// <remarks>Measured balls: 0.85e5 (a rough one in a stadium) … 2.4e5 (a smooth one). A fit beyond these has found no crisis at the speeds of the track.</remarks>
     private const double LeastCrisis = 0.82e5;
@@ -35,6 +39,10 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     private const double LawDrag = 0.045;
     private const double LawLift = 0.08;
 
+    /// <summary>The same for spins far from the fitted ones: the lift of a slow ball differs more between laws than that of the fitted spin.</summary>
+    private const double ProfiledDrag = 0.1;
+    private const double ProfiledLift = 0.25;
+
     /// <summary>The same for a short flight and for the flight before an impact: of a velocity as a share of it, and of a spin in rad/s and as a share of it.</summary>
     private const double LawVelocity = 0.0025;
     private const double LawSpin = 1;
@@ -47,8 +55,14 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
     /// <summary>The ratio to the median residual above which a flight is no example of the others.</summary>
     private const double Odd = 1.6;
 
+    /// <summary>The most by which the variances of such a flight grow.</summary>
+    private const double MostInflation = 4;
+
     /// <summary>The minimum number of flights in each part.</summary>
     private const int LeastFlights = 3;
+
+    private double _most;
+    private int _split;
 
     /// <summary>The factor of gravity at which the flights fit best; 1 if there is no flight.</summary>
     public double Weight { get; private set; } = 1;
@@ -110,6 +124,7 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             };
             doubted.MeasureUncertainty(flights, shares, watch);
             CopyCovariance(doubted, fit);
+            (doubted.DragDoubt, doubted.LiftDoubt) = (ProfiledDrag, ProfiledLift);
             Doubted = doubted;
         }
 
@@ -119,15 +134,16 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         }
 
         FlightPath[] sorted = [.. flights.OrderBy(flight => flight.Rms)];
-        double most = Odd * sorted[sorted.Length / 2].Rms;
+        _most = Odd * sorted[sorted.Length / 2].Rms;
         double squares = 0;
         int points = 0;
         foreach (FlightPath flight in flights)
         {
-            squares += flight.Rms <= most ? flight.Count * flight.Rms * flight.Rms : 0;
-            points += flight.Rms <= most ? flight.Count : 0;
+            squares += flight.Rms <= _most ? flight.Count * flight.Rms * flight.Rms : 0;
+            points += flight.Rms <= _most ? flight.Count : 0;
         }
 
+        Inflate(flights);
         Excess = Math.Sqrt(Math.Max(0, (squares / points) - (3 * equations.Noise * equations.Noise)));
 
         // One evaluation with a factor of gravity: from its equations, linear steps answer every question.
@@ -135,14 +151,16 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
         FlightScore[] scores = weighed.Scores(flights, shares, watch);
         TestWeight(fit, weighed, scores, watch);
         TestWind(scores);
+        TestParts(fit, model, watch);
     }
 
     /// <summary>
     /// Adds the doubt about the laws to the deviations of short flights: if the fitted drag is not that of the ball, its lift may not be either.
     /// </summary>
     /// <param name="brief">The flights that were too short for the tests.</param>
-    public void Widen(IEnumerable<FlightPath> brief)
+    public void Widen(IReadOnlyList<FlightPath> brief)
     {
+        Inflate(brief);
         if (!IsStrange)
         {
             return;
@@ -155,6 +173,19 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             for (int i = 3; i < FlightPath.Launch; i++)
             {
                 flight.Covariance[(i * FlightPath.Launch) + i] += i < 6 ? velocity * velocity : spin * spin;
+            }
+        }
+    }
+
+    /// <summary>Scales the deviations of flights whose residuals are odd: a touch or an impact within them is no noise.</summary>
+    private void Inflate(IReadOnlyList<FlightPath> all)
+    {
+        foreach (FlightPath flight in all)
+        {
+            double factor = _most > 0 ? Math.Min(MostInflation, Math.Max(1, flight.Rms * flight.Rms / (_most * _most))) : 1;
+            for (int i = 0; i < flight.Covariance.Length; i++)
+            {
+                flight.Covariance[i] *= factor;
             }
         }
     }
@@ -212,29 +243,79 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             return;
         }
 
-        int at = 0;
         for (int split = LeastFlights; split <= flights.Count - LeastFlights; split++)
         {
             (double x, double z, double xx, double xz, double zz) = Wind(scores, 0, split);
             (double laterX, double laterZ, double laterXx, double laterXz, double laterZz) = Wind(scores, split, scores.Length);
             (x, z, xx, xz, zz) = (laterX - x, laterZ - z, laterXx + xx, laterXz + xz, laterZz + zz);
-            double odds = ((x * x * zz) - (2 * x * z * xz) + (z * z * xx)) / ((xx * zz) - (xz * xz));
+            double odds = Odds(x, z, xx, xz, zz);
             if (odds > WindOdds)
             {
-                (WindOdds, WindChange, WindTime) = (odds, Math.Sqrt((x * x) + (z * z)), track[flights[split].First].Time);
-                at = split;
+                Keep(split, odds, x, z);
             }
         }
 
         double excess = Math.Max(0, 1 - (WindDoubt / WindOdds));
         if (excess > 0 && !IsTurned)
         {
-            (double x, double z, _, _, _) = Wind(scores, 0, at);
-            (double laterX, double laterZ, _, _, _) = Wind(scores, at, scores.Length);
+            (double x, double z, _, _, _) = Wind(scores, 0, _split);
+            (double laterX, double laterZ, _, _, _) = Wind(scores, _split, scores.Length);
             for (int f = 0; f < flights.Count; f++)
             {
-                scores[f].AddChange(f < at ? [x, z] : [laterX, laterZ], excess, flights[f].Covariance);
+                scores[f].AddChange(f < _split ? [x, z] : [laterX, laterZ], excess, flights[f].Covariance);
             }
+        }
+    }
+
+    private void Keep(int split, double odds, double x, double z) =>
+        (_split, WindOdds, WindChange, WindTime) = (split, odds, Math.Sqrt((x * x) + (z * z)), track[flights[split].First].Time);
+
+    /// <summary>Returns the square of a change of the wind, in deviations.</summary>
+    private static double Odds(double x, double z, double xx, double xz, double zz) => ((x * x * zz) - (2 * x * z * xz) + (z * z * xx)) / ((xx * zz) - (xz * xz));
+
+    /// <summary>Fits the two parts apart, from launches without spin, if the drag of the whole track is not that of the ball.</summary>
+    /// <remarks>Two winds in one fit bend its drag and spins until the linear steps of <see cref="TestWind"/> show no second wind.</remarks>
+    private void TestParts(SharedFit fit, MatchModel model, FitWatch watch)
+    {
+        if (!IsStrange || IsScaled || IsTurned || _split == 0)
+        {
+            return;
+        }
+
+        int split = Math.Min(Math.Max(_split, flights.Count / 3), flights.Count - (flights.Count / 3));
+        double[][] launches = [.. flights.Select(flight => flight.Values)];
+        double[][] covariances = [.. flights.Select(flight => flight.Covariance)];
+        SharedFit before = Part(0, split);
+        SharedFit after = Part(split, flights.Count);
+        for (int i = 0; i < flights.Count; i++)
+        {
+            (flights[i].Values, flights[i].Covariance) = (launches[i], covariances[i]);
+            equations.Measure(fit.At, flights[i]);
+        }
+
+        int n = fit.Values.Length;
+        (double x, double z) = (after.Values[0] - before.Values[0], after.Values[1] - before.Values[1]);
+        (double xx, double xz, double zz) = (after.Covariance[0] + before.Covariance[0], after.Covariance[1] + before.Covariance[1], after.Covariance[n + 1] + before.Covariance[n + 1]);
+        double odds = Odds(x, z, xx, xz, zz);
+        if (odds > Math.Max(PartDeviations, WindOdds) && Math.Sqrt((x * x) + (z * z)) > PartWind)
+        {
+            Keep(split, odds, x, z);
+        }
+
+        SharedFit Part(int from, int to)
+        {
+            List<FlightPath> part = flights.GetRange(from, to - from);
+            foreach (FlightPath flight in part)
+            {
+                flight.Covariance = (double[])flight.Covariance.Clone();
+                flight.Values = [.. flight.Values.Take(6), 0, 0, 0];
+            }
+
+            double[] weights = SharedFit.Shares(part);
+            var alone = new SharedFit(equations, model);
+            alone.Descend(part, weights, watch);
+            alone.MeasureUncertainty(part, weights, watch);
+            return alone;
         }
     }
 
