@@ -3,60 +3,97 @@ using System.Diagnostics;
 namespace FootballPhysics.Labs.Following;
 
 /// <summary>Times of a filter at 100 Hz, in flight steps of the same run.</summary>
-internal static class FollowTimes
+internal sealed class FollowTimes
 {
-    private const int Rounds = 3;
+    /// <summary>The number of times that each track is played.</summary>
+    private const int Rounds = 5;
 
-    /// <summary>Returns the mean and the worst time of a point, the time of a flight step, in s, the simulated steps of a point, the greatest work of a point, in flight steps, and the allocated bytes.</summary>
-    /// <remarks>Each point has the least of some equal rounds, because other processes disturb the clock.</remarks>
-    public static (double Mean, double Worst, double Step, double Steps, double Work, long Bytes) Measure(LabRun run, IEnumerable<double> noises)
+    /// <summary>The number of bursts that measure a flight step.</summary>
+    private const int Bursts = 15;
+
+    private readonly List<(double Time, double Work)> _points = [];
+
+    /// <summary>The simulated steps of a point.</summary>
+    public double Steps { get; private set; }
+
+    /// <summary>The allocated bytes.</summary>
+    public long Bytes { get; private set; }
+
+    /// <summary>The time of a flight step, s.</summary>
+    public double Step { get; private set; }
+
+    public double Mean => _points.Average(point => point.Time);
+
+    /// <summary>The greatest work that the filter counts for a point.</summary>
+    public double Work => _points.Max(point => point.Work);
+
+    /// <summary>The point that takes longest.</summary>
+    public (double Time, double Work) Worst => _points.MaxBy(point => point.Time);
+
+    /// <summary>Returns the time that a share of the points does not exceed.</summary>
+    public double Share(double share) => _points.Select(point => point.Time).Order().ElementAt((int)(share * (_points.Count - 1)));
+
+    /// <summary>Measures tracks with a noise each.</summary>
+    /// <remarks>
+    /// Equal rounds have equal bits, so each point has the least of its rounds, from the same state. The clock of the machine changes: flight steps just before and just
+    /// after each round are its unit.
+    /// </remarks>
+    public static FollowTimes Measure(LabRun run, IEnumerable<double> noises)
     {
-        double sum = 0;
-        double worst = 0;
-        double work = 0;
-        long points = 0;
+        var times = new FollowTimes();
+        FlightStep();
+        double before = FlightStep();
+        var units = new List<double>();
         long steps = 0;
-        long bytes = 0;
         int index = 0;
         foreach (double noise in noises)
         {
             FollowTrack track = FollowTrack.Simulate(run.Random(900_000 + index++), 100, noise);
             var least = new double[track.Rows.Count];
+            var taken = new double[track.Rows.Count];
+            var work = new double[track.Rows.Count];
             Array.Fill(least, double.PositiveInfinity);
             long fewest = long.MaxValue;
-            for (int round = 0; round <= Rounds; round++)
+            for (int round = 0; round < Rounds; round++)
             {
                 var filter = new BallFilter(track.Scene, new BallFilterSettings { Noise = noise });
-                long before = GC.GetAllocatedBytesForCurrentThread();
+                long allocated = GC.GetAllocatedBytesForCurrentThread();
                 for (int i = 0; i < least.Length; i++)
                 {
                     FollowRow row = track.Rows[i];
                     long start = Stopwatch.GetTimestamp();
                     filter.Update(row.Time, row.Measured);
-                    least[i] = Math.Min(least[i], Stopwatch.GetElapsedTime(start).TotalSeconds);
-                    work = Math.Max(work, filter.Work);
+                    taken[i] = Stopwatch.GetElapsedTime(start).TotalSeconds;
+                    work[i] = filter.Work;
                 }
 
-                fewest = Math.Min(fewest, GC.GetAllocatedBytesForCurrentThread() - before);
-                steps += round == Rounds ? filter.Steps : 0;
+                fewest = Math.Min(fewest, GC.GetAllocatedBytesForCurrentThread() - allocated);
+                steps += round == 0 ? filter.Steps : 0;
+                double after = FlightStep();
+                units.Add(Math.Min(before, after));
+                before = after;
+                for (int i = 0; i < least.Length; i++)
+                {
+                    least[i] = Math.Min(least[i], taken[i] / units[^1]);
+                }
             }
 
             // The runtime itself allocates in some rounds, while it compiles.
-            bytes = Math.Max(bytes, fewest);
-            sum += least.Sum();
-            worst = Math.Max(worst, least.Max());
-            points += least.Length;
+            times.Bytes = Math.Max(times.Bytes, fewest);
+            times._points.AddRange(least.Zip(work));
         }
 
-        return (sum / points, worst, FlightStep(), (double)steps / points, work, bytes);
+        times.Step = units.Min();
+        times.Steps = (double)steps / times._points.Count;
+        return times;
     }
 
     private static double FlightStep()
     {
         var simulator = new Simulator(FollowTrack.TruthScene, new SolverSettings { Integrator = Integrator.Rk4 });
         var log = new StepLog();
-        double best = double.PositiveInfinity;
-        for (int round = 0; round < 20; round++)
+        var bursts = new double[Bursts];
+        for (int round = 0; round < Bursts; round++)
         {
             BallState ball = simulator.Launch(new Vector3d(0, 500, 0), new Vector3d(20, 10, 0), new Vector3d(0, 30, 10));
             long start = Stopwatch.GetTimestamp();
@@ -66,9 +103,10 @@ internal static class FollowTimes
                 simulator.Step(ref ball, 0.01, log);
             }
 
-            best = Math.Min(best, Stopwatch.GetElapsedTime(start).TotalSeconds / 500);
+            bursts[round] = Stopwatch.GetElapsedTime(start).TotalSeconds / 500;
         }
 
-        return best;
+        // Some bursts are disturbed, too.
+        return bursts.Order().ElementAt(Bursts / 5);
     }
 }
