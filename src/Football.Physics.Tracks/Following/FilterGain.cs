@@ -58,12 +58,14 @@ internal sealed class FilterGain
     private void Include(FilterHypothesis of, FilterMoment moment, double time)
     {
         double weight = 1 / (moment.Deviation * moment.Deviation);
+        int n = of.Count;
         for (int row = 0; row < moment.Coordinates; row++)
         {
             double residual = moment.Residual[row];
-            for (int j = 0; j < of.Count; j++)
+            ReadOnlySpan<double> rates = moment.Rows.AsSpan(row * Most, n);
+            for (int j = 0; j < n; j++)
             {
-                residual -= moment.Rows[(row * Most) + j] * (of.Values[j] - of.Base[j]);
+                residual -= rates[j] * (of.Values[j] - of.Base[j]);
             }
 
             for (int axis = 0; axis < 3; axis++)
@@ -76,11 +78,13 @@ internal sealed class FilterGain
 
                 _b[axis] += a * residual;
                 _b[3 + axis] += a * time * residual;
-                for (int j = 0; j < of.Count; j++)
+                Span<double> sums = _c.AsSpan(axis * Most, n);
+                Span<double> timed = _c.AsSpan((axis + 3) * Most, n);
+                for (int j = 0; j < n; j++)
                 {
-                    double h = a * moment.Rows[(row * Most) + j];
-                    _c[(axis * Most) + j] += h;
-                    _c[((axis + 3) * Most) + j] += time * h;
+                    double h = a * rates[j];
+                    sums[j] += h;
+                    timed[j] += time * h;
                 }
 
                 for (int other = 0; other < 3; other++)
@@ -107,27 +111,19 @@ internal sealed class FilterGain
         }
 
         double prior = 1 / (deviation * deviation);
-        Span<double> product = stackalloc double[Most];
+        Span<double> products = stackalloc double[3 * Most];
+        FilterMath.Multiply(of.Spread, _cross, products, of.Count);
         for (int axis = 0; axis < 3; axis++)
         {
-            for (int i = 0; i < of.Count; i++)
-            {
-                double sum = 0;
-                for (int j = 0; j < of.Count; j++)
-                {
-                    sum += of.Spread[(i * Most) + j] * _cross[(axis * Most) + j];
-                }
-
-                product[i] = sum;
-            }
-
+            ReadOnlySpan<double> product = products.Slice(axis * Most, of.Count);
             for (int other = 0; other < 3; other++)
             {
                 int k = (axis * 3) + other;
                 double s = _s[18 + k] - (2 * start * _s[9 + k]) + (start * start * _s[k]);
-                for (int j = 0; j < of.Count; j++)
+                ReadOnlySpan<double> cross = _cross.AsSpan(other * Most, product.Length);
+                for (int j = 0; j < product.Length; j++)
                 {
-                    s -= product[j] * _cross[(other * Most) + j];
+                    s -= product[j] * cross[j];
                 }
 
                 _matrix[k] = s + (axis == other ? prior : 0);

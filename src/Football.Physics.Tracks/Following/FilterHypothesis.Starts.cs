@@ -17,6 +17,9 @@ internal sealed partial class FilterHypothesis
         KickTime = kickTime;
         KickDeviation = kickDeviation;
         IsKept = false;
+        MayPause = false;
+        IsPaused = false;
+        _spent = 0;
         TwinPoints = 0;
         _rays.Begin();
         Array.Copy(Mean, Values, Most);
@@ -74,6 +77,10 @@ internal sealed partial class FilterHypothesis
         stream.Numbers(_rays.Widths);
         stream.Numbers(_leastWidths);
         stream.Number(ref _fitWork);
+        stream.Number(ref _spent);
+        MayPause = stream.Flag(MayPause);
+        IsPaused = stream.Flag(IsPaused);
+        _rays.ShortUntil = stream.Number(_rays.ShortUntil);
         stream.Flag(ref _lies);
         stream.Plain<bool>(_rays.IsFixed);
         stream.Plain<BallState>(_rays.States);
@@ -95,6 +102,7 @@ internal sealed partial class FilterHypothesis
         Part = other.Part;
         _kick.Begin(other._kick);
         _fitWork = other._fitWork;
+        MayPause = true;
         TwinPoints = other.TwinPoints;
         Array.Copy(other.Values, Values, Most);
         (Values[6], Values[7], Values[8]) = (spin.X, spin.Y, spin.Z);

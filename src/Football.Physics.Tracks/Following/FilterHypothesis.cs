@@ -47,7 +47,7 @@ internal sealed partial class FilterHypothesis
         History = new FilterHistory();
     }
 
-    /// <summary>The number of the hypothesis, whose bit marks the outliers.</summary>
+    /// <summary>The number of the hypothesis, which saved filters contain.</summary>
     public int Slot { get; }
 
     public FilterHistory History { get; }
@@ -111,8 +111,11 @@ internal sealed partial class FilterHypothesis
     /// <summary>True if the ball touches the ground at its start.</summary>
     private bool _lies;
 
-    /// <summary>The work of the last iteration of a fit, in flight steps.</summary>
+    /// <summary>The work of the last iteration of a fit, with the impacts and the ends of slides since, in flight steps.</summary>
     private double _fitWork;
+
+    /// <summary>The work so far of an iteration that is paused, in flight steps.</summary>
+    private double _spent;
 
     public ref readonly BallState Ray => ref _rays.States[0];
 
@@ -126,14 +129,29 @@ internal sealed partial class FilterHypothesis
     /// <summary>True if the work of an update did not suffice. Its evidence is then −∞.</summary>
     public bool IsCut => _rays.IsStopped;
 
-    /// <summary>True if the work of this update suffices for a fit: that of the last one, with a slide that ends on each ray.</summary>
-    public bool MayEndFit => _model.Affords(_fitWork + ((Count + 1) * FilterModel.EndOfSlide));
+    /// <summary>True if a fit pauses when the work of an update is used up, so that the next update continues it: for a hypothesis that is not yet weighed.</summary>
+    public bool MayPause { get; set; }
+
+    /// <summary>True if the last point moved the estimate away from the rays.</summary>
+    public bool HasMoved { get; private set; }
+
+    /// <summary>True if the ball touches the ground, at the start or now: friction then depends on the direction of the slip.</summary>
+    public bool Touches => _lies || Ray.Motion != MotionState.Airborne;
+
+    /// <summary>True if the fit is paused.</summary>
+    public bool IsPaused { get; private set; }
+
+    /// <summary>The work that a fit may still take, in flight steps: that of the last one, with a slide that ends on each ray.</summary>
+    public double WorkOfFit => Math.Max(0, _fitWork - _spent) + ((Count + 1) * FilterModel.EndOfSlide);
+
+    /// <summary>True if the work of this update suffices for a fit, and leaves the reserve.</summary>
+    public bool MayEndFit => _model.Affords(WorkOfFit + _model.Reserve);
 
     /// <summary>True if there is also time for it.</summary>
     public bool MayFit => _model.MayFit && MayEndFit;
 
     /// <summary>Fits the motion to the points since the start.</summary>
-    /// <returns>True if the rays suit the estimate, so that another iteration would hardly change it, or if the hypothesis is cut.</returns>
+    /// <returns>True if the rays suit the estimate, so that another iteration would hardly change it, or if the hypothesis is cut; false if the fit is paused.</returns>
     public bool Fit(FilterPoints points, int iterations)
     {
         bool ends = false;
@@ -141,29 +159,30 @@ internal sealed partial class FilterHypothesis
         for (int i = 0; i < iterations && !ends && (i == 0 || MayFit); i++)
         {
             double before = _model.Work;
-            Linearize();
-            Array.Copy(Mean, Values, Most);
-            Array.Copy(Prior, Spread, Prior.Length);
-            Evidence = Prefix;
-            Used = 0;
-            Points = 0;
-            RejectedInRow = 0;
-            History.Clear();
+            Begin();
             int first = IncludesStart ? points.From(StartTime) : points.After(StartTime);
-            for (int k = first; k < points.Count && !IsCut;)
+            for (int k = first + Points; k < points.Count && !IsCut;)
             {
                 // The history needs the motion at each point; before it, positions between long steps suffice.
                 int end = _rays.Stride(points, k, EndOfKick);
                 for (; k < end && !IsCut; k++)
                 {
                     Points++;
-                    Include(ref points[k], first == points.Count - 1);
+                    Include(in points[k], first == points.Count - 1);
                 }
+            }
+
+            _spent += _model.Work - before;
+            IsPaused = IsCut && MayPause;
+            if (IsPaused)
+            {
+                return false;
             }
 
             _rays.EndStride();
             End();
-            _fitWork = _model.Work - before;
+            _fitWork = _spent;
+            _spent = 0;
             ends = IsCut || !IsFar(1);
         }
 
@@ -175,9 +194,14 @@ internal sealed partial class FilterHypothesis
     public void Add(FilterPoints points)
     {
         Points++;
-        Include(ref points[points.Count - 1], false);
+        double before = _model.Work;
+        Include(in points[points.Count - 1], false);
         End();
-        if ((IsStale || IsFar(Far)) && MayFit)
+
+        // The next fit repeats the impacts and the ends of slides.
+        _fitWork += Math.Max(0, _model.Work - before - FilterModel.OfPoint - ((Count + 1) * FilterModel.OfGroundRun));
+        HasMoved = IsFar(Far);
+        if ((IsStale || HasMoved) && MayFit)
         {
             Fit(points, Points > Long ? 1 : 2);
         }
@@ -219,11 +243,42 @@ internal sealed partial class FilterHypothesis
         }
     }
 
+    /// <summary>Begins an iteration of a fit, or continues one that paused.</summary>
+    private void Begin()
+    {
+        if (IsPaused)
+        {
+            _rays.Begin();
+            return;
+        }
+
+        Linearize();
+        Array.Copy(Mean, Values, Most);
+        Array.Copy(Prior, Spread, Prior.Length);
+        Evidence = Prefix;
+        Used = 0;
+        Points = 0;
+        RejectedInRow = 0;
+        History.Clear();
+    }
+
+    /// <summary>Lets an iteration that is paused begin from scratch, because a late point belongs to it.</summary>
+    public void Restart()
+    {
+        if (IsPaused)
+        {
+            IsPaused = false;
+            _spent = 0;
+            _rays.Begin();
+            _rays.EndStride();
+            Array.Copy(Base, Values, Most);
+        }
+    }
+
     /// <summary>Starts the rays at the estimate.</summary>
     private void Linearize()
     {
         Array.Copy(Values, Base, Most);
-        Base[Twist] = Bounded(Values, Twist);
         if (Count == Most)
         {
             Base[Moment] = Bounded(Values, Moment);
@@ -231,12 +286,10 @@ internal sealed partial class FilterHypothesis
 
         // A ball on the ground does not move into it, and its height is that of the ground.
         BallState start = Launch(Base, 0, 0);
-        _lies = Kind == FilterStart.Free && _model.Touches(start.Position.Y);
-        if (_lies && Base[Upward] < 0)
-        {
-            Base[Upward] = 0;
-            start = Launch(Base, 0, 0);
-        }
+        _lies = _model.Touches(start.Position.Y);
+        Base[Twist] = Bounded(Values, Twist);
+        Base[Upward] = Bounded(Values, Upward);
+        start = _lies ? Launch(Base, 0, 0) : start;
 
         _rays.States[0] = start;
         for (int j = 0; j < Count; j++)
@@ -287,12 +340,15 @@ internal sealed partial class FilterHypothesis
     }
 
     /// <summary>Moves the rays to a point and updates the estimate.</summary>
-    private void Include(ref FilterPoint point, bool isOnly)
+    private void Include(in FilterPoint point, bool isOnly)
     {
         bool isOld = _rays.Move(point.Time);
+        _model.Count(isOld ? FilterModel.OfOldPoint : FilterModel.OfPoint);
         if (IsCut)
         {
-            Evidence = double.NegativeInfinity;
+            // A fit that pauses includes the point when it continues.
+            Evidence = MayPause ? Evidence : double.NegativeInfinity;
+            Points -= MayPause ? 1 : 0;
             return;
         }
 
@@ -307,13 +363,11 @@ internal sealed partial class FilterHypothesis
         RejectsLast = (SkipsFirst && Points == 1) || (!(right > wrong) && !(Used == 0 && (IncludesStart || isOnly)));
         if (RejectsLast)
         {
-            point.Outliers |= 1 << Slot;
             Evidence += wrong;
             RejectedInRow++;
         }
         else
         {
-            point.Outliers &= ~(1 << Slot);
             Evidence += right;
             RejectedInRow = 0;
             Used++;
@@ -361,8 +415,8 @@ internal sealed partial class FilterHypothesis
             return Math.Min(EndOfKick - margin, Math.Max(StartTime + margin, value));
         }
 
-        // A rolling ball that hardly spins about the vertical axis soon stops doing so, at a high cost.
-        bool isSmall = parameter == Twist && Kind == FilterStart.Rolling && Math.Abs(value) < FilterModel.LeastTwist;
+        // A ball on the ground that hardly spins about the vertical axis soon stops doing so, at a high cost.
+        bool isSmall = parameter == Twist && _lies && Math.Abs(value) < FilterModel.LeastTwist;
         return isSmall ? 0 : parameter == Upward && _lies ? Math.Max(0, value) : value;
     }
 

@@ -6,35 +6,51 @@ internal static class FilterMath
     private const int Motion = FilterHypothesis.Motion;
     private const int Most = FilterHypothesis.Most;
 
+    /// <summary>Multiplies a symmetric matrix of the parameters and three rows of derivatives, one beside the other.</summary>
+    public static void Multiply(ReadOnlySpan<double> matrix, ReadOnlySpan<double> rows, Span<double> products, int n)
+    {
+        ReadOnlySpan<double> a = rows.Slice(0, n);
+        ReadOnlySpan<double> b = rows.Slice(Most, n);
+        ReadOnlySpan<double> c = rows.Slice(2 * Most, n);
+        for (int i = 0; i < n; i++)
+        {
+            ReadOnlySpan<double> line = matrix.Slice(i * Most, n);
+            (double x, double y, double z) = (0, 0, 0);
+            for (int j = 0; j < n; j++)
+            {
+                double value = line[j];
+                x += value * a[j];
+                y += value * b[j];
+                z += value * c[j];
+            }
+
+            (products[i], products[Most + i], products[(2 * Most) + i]) = (x, y, z);
+        }
+    }
+
     /// <summary>Computes the covariance of the motion at a moment, J P Jᵀ.</summary>
     public static void Covariance(FilterMoment moment, int count, double[] covariance)
     {
         Span<double> half = stackalloc double[Motion * Most];
-        for (int i = 0; i < Motion; i++)
+        for (int i = 0; i < Motion; i += 3)
         {
-            for (int j = 0; j < count; j++)
-            {
-                double sum = 0;
-                for (int k = 0; k < count; k++)
-                {
-                    sum += moment.Jacobian[(i * Most) + k] * moment.Spread[(k * Most) + j];
-                }
-
-                half[(i * Most) + j] = sum;
-            }
+            Multiply(moment.Spread, moment.Jacobian.AsSpan(i * Most, 3 * Most), half.Slice(i * Most, 3 * Most), count);
         }
 
         for (int i = 0; i < Motion; i++)
         {
-            for (int j = 0; j < Motion; j++)
+            ReadOnlySpan<double> line = half.Slice(i * Most, count);
+            for (int j = 0; j <= i; j++)
             {
+                ReadOnlySpan<double> by = moment.Jacobian.AsSpan(j * Most, count);
                 double sum = 0;
                 for (int k = 0; k < count; k++)
                 {
-                    sum += half[(i * Most) + k] * moment.Jacobian[(j * Most) + k];
+                    sum += line[k] * by[k];
                 }
 
                 covariance[(i * Motion) + j] = sum;
+                covariance[(j * Motion) + i] = sum;
             }
         }
     }

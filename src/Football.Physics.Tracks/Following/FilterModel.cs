@@ -25,21 +25,45 @@ internal sealed class FilterModel
     private const double LogTwoPi = 1.8378770664093453;
 
     /// <summary>The work of the fits of one update, in flight steps, if points are 10 ms apart; in longer intervals there is time for more.</summary>
-    private const double MostWork = 2500;
+    private const double MostWork = 4200;
     private const double ShortInterval = 0.01;
     private const double MostIntervals = 10;
 
     /// <summary>The work up to which kicks are tried, as a multiple of that of the fits: a missed kick costs more than a late fit.</summary>
-    private const double MostBranching = 1.5;
+    private const double MostBranching = 1.1;
 
     /// <summary>The work at which hypotheses are cut, as a multiple of that of the fits.</summary>
     /// <remarks>Above: with its last run, a point takes more than 6000 flight steps. Below: more kicks are cut while a ball begins to roll.</remarks>
-    private const double MostTotal = 2.3;
+    private const double MostTotal = 1.15;
 
-    /// <summary>The work of a step that ends a slide, in flight steps: it is taken in pieces.</summary>
-    public const double EndOfSlide = 100;
+    /// <summary>The share of the work of the fits that is kept for a second fit that waits; without it, fits that repeat at each point leave it no work.</summary>
+    private const double MostReserve = 0.5;
 
-    private readonly StepLog _log = new();
+    /// <summary>The work that the end of a slide adds to a ray, in flight steps: it is taken in pieces.</summary>
+    public const double EndOfSlide = 30;
+
+    /// <summary>The work of each update, of the inclusion of a point in a hypothesis, and of a point that is older than the history, in flight steps.</summary>
+    private const double Always = 60;
+    public const double OfPoint = 8;
+    public const double OfOldPoint = 4;
+
+    /// <summary>The work of a launch in the air, and on the ground, in flight steps.</summary>
+    private const double OfLaunch = 2;
+    private const double OfGroundLaunch = 7;
+
+    /// <summary>The work of a run in flight beside its steps, of an impact, of a run on the ground, and of an evaluation of its forces if it is taken in pieces.</summary>
+    private const double OfRun = 0.4;
+    private const double OfImpact = 7;
+    public const double OfGroundRun = 3;
+    private const double OfEvaluation = 2.4;
+
+    /// <summary>The number of force evaluations of a run that is a single step.</summary>
+    private const long EvaluationsOfStep = 4;
+
+    /// <summary>The step, in s, whose errors at the end of a slide are small compared with those of points.</summary>
+    private const double CoarseStep = 0.2;
+
+    private readonly StepLog _log = new() { CoarseStep = CoarseStep };
     private double _most = double.PositiveInfinity;
 
     public FilterModel(Simulator simulator, BallFilterSettings settings)
@@ -73,11 +97,8 @@ internal sealed class FilterModel
             _log.Clear();
             Simulator.RunChecked(ref state, LongestStep, left, StopAt.Time, _log, null);
             Steps += _log.Steps;
-            Work += _log.Steps;
-            if (state.Motion == MotionState.Rolling && motion == MotionState.Sliding)
-            {
-                Work += EndOfSlide;
-            }
+            bool flies = motion == MotionState.Airborne && state.Motion == MotionState.Airborne;
+            Count(flies ? OfRun + _log.Steps + (OfImpact * _log.Events.Count) : _log.Evaluations <= EvaluationsOfStep ? OfGroundRun : OfEvaluation * _log.Evaluations);
         }
     }
 
@@ -94,7 +115,7 @@ internal sealed class FilterModel
     /// <param name="interval">The time since the last point, in s.</param>
     public void Allow(double interval)
     {
-        Work = 0;
+        Work = Always;
         _most = MostWork * Math.Min(MostIntervals, Math.Max(1, interval / ShortInterval));
     }
 
@@ -110,12 +131,24 @@ internal sealed class FilterModel
     /// <summary>True if this update may take more work, in flight steps.</summary>
     public bool Affords(double work) => Work + work < MostTotal * _most;
 
+    /// <summary>The work that fits of this update must leave to a second fit, in flight steps.</summary>
+    public double Reserve { get; private set; }
+
+    /// <summary>Keeps work of this update for a second fit, in flight steps, but not more than its share.</summary>
+    public void KeepFor(double work) => Reserve = Math.Min(work, MostReserve * _most);
+
     /// <summary>The work of this update so far, in flight steps.</summary>
     public double Work { get; private set; }
 
+    /// <summary>Adds to the work of this update, in flight steps.</summary>
+    public void Count(double work) => Work += work;
+
     /// <summary>Launches a ball at parameters of a search, which may exceed the limits of a ball.</summary>
-    public BallState Launch(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) => Simulator.LaunchAt(
-        in position, velocity * Math.Min(1, MostSpeed / velocity.Length), spin * Math.Min(1, MostSpin / spin.Length), time);
+    public BallState Launch(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time)
+    {
+        Count(Touches(position.Y) ? OfGroundLaunch : OfLaunch);
+        return Simulator.LaunchAt(in position, velocity * Math.Min(1, MostSpeed / velocity.Length), spin * Math.Min(1, MostSpin / spin.Length), time);
+    }
 
     /// <summary>Launches a ball at an estimated motion: position, velocity and spin.</summary>
     public BallState Launch(ReadOnlySpan<double> motion, double time, bool rolls)

@@ -26,9 +26,6 @@ internal struct FilterPoint
 
     public FilterPointKind Kind;
 
-    /// <summary>A bit for each hypothesis slot that treats the point as an outlier.</summary>
-    public int Outliers;
-
     /// <summary>The number of measured coordinates.</summary>
     public readonly int Rows => Kind == FilterPointKind.Position ? 3 : 2;
 
@@ -51,6 +48,16 @@ internal struct FilterPoint
                 double depth = Math.Max(LeastDepth, Camera.W.Along(in position));
                 return new Vector3d(Camera.U.Along(in position) / depth, Camera.V.Along(in position) / depth, 0);
         }
+    }
+
+    /// <summary>Returns the change of the coordinates with the position along an axis.</summary>
+    /// <param name="position">The position of the ball.</param>
+    /// <param name="expected">The coordinates there; see <see cref="Of"/>.</param>
+    /// <param name="axis">The axis.</param>
+    public readonly Vector3d Slope(in Vector3d position, in Vector3d expected, in Vector3d axis)
+    {
+        const double Step = 1e-3;
+        return Kind == FilterPointKind.Pixel ? (Of(position + (Step * axis)) - expected) / Step : Of(in axis);
     }
 
     /// <summary>The measured coordinates in the order of <see cref="Of"/>.</summary>

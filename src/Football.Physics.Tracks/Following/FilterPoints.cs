@@ -3,6 +3,9 @@ namespace FootballPhysics.Tracks;
 /// <summary>The points of the window, in order of time.</summary>
 internal sealed class FilterPoints(int room)
 {
+    /// <summary>The number of points from which it pays to move the others.</summary>
+    private const int LeastForgotten = 32;
+
     private readonly FilterPoint[] _points = new FilterPoint[room];
 
     public int Count { get; private set; }
@@ -60,10 +63,15 @@ internal sealed class FilterPoints(int room)
         return at;
     }
 
-    /// <summary>Removes the points before a time.</summary>
+    /// <summary>Removes the points before a time, many at once.</summary>
     public void Forget(double time)
     {
         int first = From(time);
+        if (first < LeastForgotten && !IsFull)
+        {
+            return;
+        }
+
         Array.Copy(_points, first, _points, 0, Count - first);
         Count -= first;
     }

@@ -20,6 +20,9 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>The end of the last long step: the rays are there.</summary>
     private double _strideEnd = double.NegativeInfinity;
 
+    /// <summary>The end of the last long step that had an event: until then, no other long step is tried.</summary>
+    public double ShortUntil { get; set; } = double.NegativeInfinity;
+
     /// <summary>The number of parameters.</summary>
     public int Count { get; set; }
 
@@ -49,13 +52,24 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>Sets the motion at a moment from the rays and their derivatives, which are those of the moment.</summary>
     public void Extrapolate(FilterMoment moment, double[] values, double[] start)
     {
+        Span<double> changes = stackalloc double[Most];
+        changes = changes.Slice(0, Count);
+        for (int j = 0; j < changes.Length; j++)
+        {
+            changes[j] = values[j] - start[j];
+        }
+
         Read(in States[0], moment.Motion);
         for (int i = 0; i < Motion; i++)
         {
-            for (int j = 0; j < Count; j++)
+            ReadOnlySpan<double> rates = moment.Jacobian.AsSpan(i * Most, changes.Length);
+            double sum = moment.Motion[i];
+            for (int j = 0; j < changes.Length; j++)
             {
-                moment.Motion[i] += moment.Jacobian[(i * Most) + j] * (values[j] - start[j]);
+                sum += rates[j] * changes[j];
             }
+
+            moment.Motion[i] = sum;
         }
     }
 
@@ -64,6 +78,7 @@ internal sealed class FilterRays(FilterModel model)
     public bool Move(double time)
     {
         bool isOld = time <= _strideEnd;
+        CubicWeights within = isOld ? CubicWeights.Of(_from[0].Time, States[0].Time, time) : default;
         for (int j = 0; j <= Count; j++)
         {
             if (j > 0 && IsFixed[j - 1])
@@ -77,7 +92,7 @@ internal sealed class FilterRays(FilterModel model)
                 model.Run(ref States[j], time);
             }
 
-            _places[j] = isOld ? Between(in _from[j], in States[j], time) : States[j].Position;
+            _places[j] = isOld ? within.Between(in _from[j], in States[j]) : States[j].Position;
         }
 
         return isOld;
@@ -94,7 +109,7 @@ internal sealed class FilterRays(FilterModel model)
     }
 
     /// <summary>Forgets the last long step.</summary>
-    public void EndStride() => _strideEnd = double.NegativeInfinity;
+    public void EndStride() => (_strideEnd, ShortUntil) = (double.NegativeInfinity, double.NegativeInfinity);
 
     /// <summary>Moves the rays over several points that are older than the history, if no ray has an event on the way.</summary>
     /// <param name="points">The points.</param>
@@ -111,7 +126,7 @@ internal sealed class FilterRays(FilterModel model)
         }
 
         _strideEnd = double.NegativeInfinity;
-        if (end < first + 2 || Count == Most && from < endOfKick)
+        if (end < first + 2 || from < ShortUntil || (Count == Most && from < endOfKick))
         {
             return first + 1;
         }
@@ -123,21 +138,13 @@ internal sealed class FilterRays(FilterModel model)
             if (!(j > 0 && IsFixed[j - 1]) && (Stops() || !model.RunSmoothly(ref States[j], last)))
             {
                 Array.Copy(_from, States, Count + 1);
+                ShortUntil = points[end - 2].Time;
                 return first + 1;
             }
         }
 
         _strideEnd = last;
         return end;
-    }
-
-    /// <summary>Returns the position between two states of a smooth motion, by a cubic.</summary>
-    private static Vector3d Between(in BallState from, in BallState to, double time)
-    {
-        double span = to.Time - from.Time;
-        double s = (time - from.Time) / span;
-        double r = 1 - s;
-        return (r * r * (1 + (2 * s)) * from.Position) + (s * s * (1 + (2 * r)) * to.Position) + (span * s * r * ((r * from.Velocity) - (s * to.Velocity)));
     }
 
     /// <summary>True if all rays move alike: none is before an impact that another one is after.</summary>
@@ -193,32 +200,21 @@ internal sealed class FilterRays(FilterModel model)
     /// <summary>Computes the residual of a point at the base, its derivatives with respect to the parameters, and those with respect to the position.</summary>
     public void Observe(in FilterPoint point, FilterMoment moment)
     {
-        Vector3d expected = point.Of(_places[0]);
-        Vector3d residual = point.Measured - expected;
-        for (int row = 0; row < point.Rows; row++)
-        {
-            moment.Residual[row] = residual.Along(row);
-        }
-
+        Vector3d expected = point.Of(in _places[0]);
+        Write(point.Measured - expected, moment.Residual, 0, 1);
         for (int j = 0; j < Count; j++)
         {
-            Vector3d change = (point.Of(_places[j + 1]) - expected) / Widths[j];
-            for (int row = 0; row < point.Rows; row++)
-            {
-                moment.Rows[(row * Most) + j] = change.Along(row);
-            }
+            Write((point.Of(in _places[j + 1]) - expected) * (1 / Widths[j]), moment.Rows, j, Most);
         }
 
-        const double Step = 1e-3;
         for (int axis = 0; axis < 3; axis++)
         {
-            Vector3d change = (point.Of(_places[0] + (Step * Vector3d.Axis(axis))) - expected) / Step;
-            for (int row = 0; row < point.Rows; row++)
-            {
-                moment.ByPosition[(row * 3) + axis] = change.Along(row);
-            }
+            Write(point.Slope(in _places[0], in expected, Vector3d.Axis(axis)), moment.ByPosition, axis, 3);
         }
     }
+
+    private static void Write(in Vector3d column, double[] rows, int at, int length) =>
+        (rows[at], rows[at + length], rows[at + (2 * length)]) = (column.X, column.Y, column.Z);
 
     /// <summary>Returns position, velocity and spin of a state.</summary>
     public static void Read(in BallState state, Span<double> motion)
@@ -228,4 +224,21 @@ internal sealed class FilterRays(FilterModel model)
         Vector3d spin = state.Spin;
         (motion[6], motion[7], motion[8]) = (spin.X, spin.Y, spin.Z);
     }
+}
+
+/// <summary>The weights of the two ends in the cubic of a smooth motion.</summary>
+internal readonly record struct CubicWeights(double From, double To, double FromVelocity, double ToVelocity)
+{
+    /// <summary>Returns the weights at a time between the ends.</summary>
+    public static CubicWeights Of(double from, double to, double time)
+    {
+        double span = to - from;
+        double s = (time - from) / span;
+        double r = 1 - s;
+        return new CubicWeights(r * r * (1 + (2 * s)), s * s * (1 + (2 * r)), span * s * r * r, -span * s * r * s);
+    }
+
+    /// <summary>Returns the position.</summary>
+    public Vector3d Between(in BallState from, in BallState to) =>
+        (From * from.Position) + (To * to.Position) + (FromVelocity * from.Velocity) + (ToVelocity * to.Velocity);
 }

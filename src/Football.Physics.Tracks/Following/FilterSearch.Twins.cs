@@ -43,15 +43,22 @@ internal sealed partial class FilterSearch
         }
     }
 
-    /// <summary>Continues the second fit as far as the work of the update suffices, and adds its hypothesis at the end.</summary>
+    /// <summary>Continues the second fit until the work of the update is used up, and adds its hypothesis at the end.</summary>
     private void FitTwin()
     {
         FilterHypothesis twin = _slots[Slots];
-        while (_twinLeft > 0 && twin.MayFit)
+        while (_twinLeft > 0 && _model.MayFit)
         {
-            _twinLeft = twin.Fit(_points, 1) ? 0 : _twinLeft - 1;
+            bool ends = twin.Fit(_points, 1);
+            if (twin.IsPaused)
+            {
+                return;
+            }
+
+            _twinLeft = ends ? 0 : _twinLeft - 1;
             if (_twinLeft == 0)
             {
+                twin.MayPause = false;
                 (_slots[Count], _slots[Slots]) = (twin, _slots[Count]);
                 Keep();
                 Drop();

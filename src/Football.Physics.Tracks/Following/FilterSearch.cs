@@ -92,6 +92,8 @@ internal sealed partial class FilterSearch
     /// <summary>Includes the last point.</summary>
     public void Add()
     {
+        // A second fit waits for work that is left. Other fits may repeat at each point, so they leave it a share.
+        _model.KeepFor(_twinLeft > 0 ? _slots[Slots].WorkOfFit : 0);
         int added = 0;
         for (int i = Next(added); i >= 0; i = Next(added))
         {
@@ -100,6 +102,7 @@ internal sealed partial class FilterSearch
             added |= 1 << i;
         }
 
+        _model.KeepFor(0);
         Drop();
         FitTwin();
         Branch(Best);
@@ -109,6 +112,11 @@ internal sealed partial class FilterSearch
     /// <summary>Includes a late point.</summary>
     public void Insert(double time)
     {
+        if (_slots[Slots].StartTime < time)
+        {
+            _slots[Slots].Restart();
+        }
+
         int included = 0;
         for (int i = Next(included); i >= 0; i = Next(included))
         {
@@ -247,6 +255,9 @@ internal sealed partial class FilterSearch
         }
 
         int likely = _gain.Find(best, _model.Settings, LeastGain);
+
+        // A slide that keeps moving away from the fit may have another spin.
+        bool isDoubtful = likely > 0 || best.RejectsLast || (HasHeight && best.HasMoved && best.Touches);
         if (likely > 0)
         {
             // A fit that has not converged looks like a kick. Without time for it, the next update seeks the kick.
@@ -264,7 +275,7 @@ internal sealed partial class FilterSearch
             Kick(best, likely);
         }
 
-        BeginTwin(likely > 0 || best.RejectsLast ? best : Oldest);
+        BeginTwin(isDoubtful ? best : Oldest);
         FitTwin();
     }
 
@@ -291,7 +302,7 @@ internal sealed partial class FilterSearch
             UpwardParts parts = isSplit ? lies ? UpwardParts.FromGround : UpwardParts.InAir : UpwardParts.None;
             for (int part = 0; part < parts.Count; part++)
             {
-                if (IsNew(before.Time, kind, part, false))
+                if (_model.MayRun && IsNew(before.Time, kind, part, false))
                 {
                     bool fits = Try(false);
 

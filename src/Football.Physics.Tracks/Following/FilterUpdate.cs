@@ -2,67 +2,90 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tracks;
 
-/// <summary>The update of an estimate by a point, as a Kalman filter of the parameters does. It changes a copy, so that a wrong point changes nothing.</summary>
+/// <summary>The update of an estimate by a point, as a Kalman filter of the parameters does: all coordinates at once.</summary>
+/// <remarks>
+/// With rows H of the derivatives, the covariance P and the variance R: G = P Hᵀ, and S = H G + R = L D Lᵀ. Then the estimate changes by G S⁻¹ e, and P by
+/// −G S⁻¹ Gᵀ. A coordinate that is not measured has a row of zeros, and changes nothing.
+/// </remarks>
 internal sealed class FilterUpdate
 {
     private const int Most = FilterHypothesis.Most;
 
-    private readonly double[] _values = new double[Most];
-    private readonly double[] _spread = new double[Most * Most];
-    private readonly double[] _gain = new double[Most];
+    private readonly double[] _gains = new double[3 * Most];
+    private double _l10;
+    private double _l20;
+    private double _l21;
+    private Vector3d _inverse;
+    private Vector3d _error;
 
-    /// <summary>Updates a copy of the estimate, by one coordinate after the other.</summary>
+    /// <summary>Computes the update, and changes nothing.</summary>
     /// <returns>The logarithm of the density of the point, if it is right.</returns>
     public double Try(FilterHypothesis of, in FilterPoint point, FilterMoment moment)
     {
-        Array.Copy(of.Values, _values, Most);
-        Array.Copy(of.Spread, _spread, _spread.Length);
+        int n = of.Count;
+        ReadOnlySpan<double> x = moment.Rows.AsSpan(0, n);
+        ReadOnlySpan<double> y = moment.Rows.AsSpan(Most, n);
+        ReadOnlySpan<double> z = moment.Rows.AsSpan(2 * Most, n);
+        FilterMath.Multiply(of.Spread, moment.Rows, _gains, n);
+        ReadOnlySpan<double> byX = _gains.AsSpan(0, n);
+        ReadOnlySpan<double> byY = _gains.AsSpan(Most, n);
+        ReadOnlySpan<double> byZ = _gains.AsSpan(2 * Most, n);
+        (double ex, double ey, double ez) = (moment.Residual[0], moment.Residual[1], moment.Residual[2]);
         double variance = point.Deviation * point.Deviation;
-        double squares = 0;
-        double ratio = 1;
-        for (int row = 0; row < point.Rows; row++)
+        (double xx, double yy, double zz, double xy, double xz, double yz) = (variance, variance, variance, 0, 0, 0);
+        for (int j = 0; j < n; j++)
         {
-            Correct(of, moment.Rows.AsSpan(row * Most, Most), moment.Residual[row], variance, ref squares, ref ratio);
+            double off = of.Values[j] - of.Base[j];
+            ex -= x[j] * off;
+            ey -= y[j] * off;
+            ez -= z[j] * off;
+            xx += x[j] * byX[j];
+            xy += x[j] * byY[j];
+            xz += x[j] * byZ[j];
+            yy += y[j] * byY[j];
+            yz += y[j] * byZ[j];
+            zz += z[j] * byZ[j];
         }
 
-        return -0.5 * (squares + Elementary.Log(ratio));
+        double d0 = Math.Max(xx, variance);
+        _l10 = xy / d0;
+        _l20 = xz / d0;
+        double d1 = Math.Max(yy - (_l10 * xy), variance);
+        double across = yz - (_l20 * xy);
+        _l21 = across / d1;
+        double d2 = Math.Max(zz - (_l20 * xz) - (_l21 * across), variance);
+        ey -= _l10 * ex;
+        ez -= (_l20 * ex) + (_l21 * ey);
+        _inverse = new Vector3d(1 / d0, 1 / d1, 1 / d2);
+        _error = new Vector3d(ex * _inverse.X, ey * _inverse.Y, ez * _inverse.Z);
+        double squares = (ex * _error.X) + (ey * _error.Y) + (ez * _error.Z);
+        return -0.5 * (squares + Elementary.Log(d0 / variance * (d1 / variance) * (d2 / variance)));
     }
 
-    /// <summary>Replaces the estimate by the copy.</summary>
+    /// <summary>Updates the estimate as <see cref="Try"/> computed.</summary>
     public void Keep(FilterHypothesis of)
     {
-        Array.Copy(_values, of.Values, Most);
-        Array.Copy(_spread, of.Spread, _spread.Length);
-    }
-
-    private void Correct(FilterHypothesis of, ReadOnlySpan<double> row, double residual, double variance, ref double squares, ref double ratio)
-    {
         int n = of.Count;
-        double sum = variance;
+        Span<double> byX = _gains.AsSpan(0, n);
+        Span<double> byY = _gains.AsSpan(Most, n);
+        Span<double> byZ = _gains.AsSpan(2 * Most, n);
+        double[] spread = of.Spread;
         for (int i = 0; i < n; i++)
         {
-            double value = 0;
-            for (int j = 0; j < n; j++)
+            double gx = byX[i];
+            double gy = byY[i] - (_l10 * gx);
+            double gz = byZ[i] - (_l20 * gx) - (_l21 * gy);
+            (byY[i], byZ[i]) = (gy, gz);
+            of.Values[i] += (gx * _error.X) + (gy * _error.Y) + (gz * _error.Z);
+            gx *= _inverse.X;
+            gy *= _inverse.Y;
+            gz *= _inverse.Z;
+            Span<double> line = spread.AsSpan(i * Most, n);
+            for (int j = 0; j <= i; j++)
             {
-                value += _spread[(i * Most) + j] * row[j];
-            }
-
-            _gain[i] = value;
-            sum += row[i] * value;
-            residual -= row[i] * (_values[i] - of.Base[i]);
-        }
-
-        sum = Math.Max(sum, variance);
-        double inverse = 1 / sum;
-        squares += residual * residual * inverse;
-        ratio *= sum / variance;
-        for (int i = 0; i < n; i++)
-        {
-            double gain = inverse * _gain[i];
-            _values[i] += gain * residual;
-            for (int j = 0; j < n; j++)
-            {
-                _spread[(i * Most) + j] -= gain * _gain[j];
+                double value = line[j] - ((gx * byX[j]) + (gy * byY[j]) + (gz * byZ[j]));
+                line[j] = value;
+                spread[(j * Most) + i] = value;
             }
         }
     }

@@ -76,7 +76,7 @@ internal sealed class SlideEnd
         // If the means neglect too much, take an ordinary piece first.
         var mean = new SlipDecay(in slip, 0.5 * (push + endPush), 0.5 * (friction + endFriction));
         if (s.Nets != 0 ? !IsCloseInNet(in slip, in mean, endPush - push, friction, out stop.Before)
-            : !(decay.Time * (change + (loadChange * loadChange)) <= ToleranceIn(run.Length) * friction * friction))
+            : !(decay.Time * (change + (loadChange * loadChange)) <= ToleranceIn(run.Coarse) * friction * friction))
         {
             return false;
         }

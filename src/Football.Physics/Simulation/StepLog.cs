@@ -56,6 +56,9 @@ public sealed partial class StepLog
     /// <summary>True after a piece of high order, which custom forces required: the ball may leave the bounds of its speed within a step.</summary>
     internal bool HasFollowed { get; set; }
 
+    /// <summary>The step, in s, whose errors at the end of a slide are allowed in shorter steps too; 0: each step has its own.</summary>
+    internal double CoarseStep { get; set; }
+
     /// <summary>True if the step ended early at the requested event.</summary>
     internal bool Halted { get; set; }
 

@@ -81,6 +81,9 @@ internal ref struct StepRun
     /// <summary>The carrier's velocity jump divided by the step length, m/s².</summary>
     public Vector3d CarrierGain;
 
+    /// <summary>Length of the step whose errors at the end of a slide are allowed, s.</summary>
+    public readonly double Coarse => Math.Max(Length, Log.CoarseStep);
+
     /// <summary>1/length, 1/s: converts a jump at the start of the step to an acceleration.</summary>
     /// <remarks>It is bounded, so that short steps give finite results.</remarks>
     public readonly double PerStep => 1.0 / Math.Max(Length, ContactTolerances.ShortestForJumps);

@@ -279,8 +279,8 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         double h = TurnLimit.Follow(piece.Length, system.Direction, piece.Size, in rate, turned, out system.LocksDirection);
-        h = turned > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
-        piece.Length = run.Spent.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, piece.Size, in rate, turned);
+        h = turned > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Coarse, system.Direction, piece.Size, in rate, piece.System.Forces.Turning.Length) : h;
+        piece.Length = run.Spent.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Coarse, system.Direction, piece.Size, in rate, turned);
         piece.Start = system.LocksDirection ? system.RatesAt(in piece.From) : piece.Start;
         return true;
     }
