@@ -43,7 +43,21 @@ internal static class DrawnPoints
         bool[] gone = new bool[track.Length];
         held = MarkHeld(track, gone);
         lines = MarkLines(track, gone);
-        return lines + held == 0 ? track : [.. track.Where((_, i) => !gone[i])];
+        if (lines + held == 0)
+        {
+            return track;
+        }
+
+        List<TrackPoint> kept = [];
+        for (int i = 0; i < track.Length; i++)
+        {
+            if (!gone[i])
+            {
+                kept.Add(track[i]);
+            }
+        }
+
+        return [.. kept];
     }
 
     private static int MarkLines(TrackPoint[] track, bool[] gone)
@@ -56,12 +70,21 @@ internal static class DrawnPoints
             off[i] = Math.Max(Math.Abs(d.X), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z)));
         }
 
-        double[] heights = [.. track.Select(point => point.Position.Y).OrderBy(value => value)];
+        double[] heights = Sorted(track, 1);
         double high = heights[heights.Length / 10] + Low;
-        double[] usual = [.. Enumerable.Range(1, track.Length - 2).Where(i => track[i].Position.Y > high).Select(i => off[i]).OrderBy(value => value)];
+        List<double> usual = [];
+        for (int i = 1; i + 1 < track.Length; i++)
+        {
+            if (track[i].Position.Y > high)
+            {
+                usual.Add(off[i]);
+            }
+        }
+
+        usual.Sort();
         double wait = (track[^1].Time - track[0].Time) / (track.Length - 1);
         double tolerance = Math.Max(LeastTolerance, Digits * Digit(track));
-        if (usual.Length == 0 || tolerance > MostOfUsual * usual[usual.Length * 3 / 4] || tolerance > MostOfFall * 0.5 * Gravity * wait * wait)
+        if (usual.Count == 0 || tolerance > MostOfUsual * usual[usual.Count * 3 / 4] || tolerance > MostOfFall * 0.5 * Gravity * wait * wait)
         {
             return 0;
         }
@@ -120,7 +143,7 @@ internal static class DrawnPoints
         double least = double.PositiveInfinity;
         for (int axis = 0; axis < 3; axis++)
         {
-            double[] sorted = [.. track.Select(point => axis == 0 ? point.Position.X : axis == 1 ? point.Position.Y : point.Position.Z).OrderBy(value => value)];
+            double[] sorted = Sorted(track, axis);
             for (int i = 1; i < sorted.Length; i++)
             {
                 double step = sorted[i] - sorted[i - 1];
@@ -129,5 +152,17 @@ internal static class DrawnPoints
         }
 
         return double.IsFinite(least) ? least : 0;
+    }
+
+    private static double[] Sorted(TrackPoint[] track, int axis)
+    {
+        double[] sorted = new double[track.Length];
+        for (int i = 0; i < sorted.Length; i++)
+        {
+            sorted[i] = track[i].Position.Along(axis);
+        }
+
+        Array.Sort(sorted);
+        return sorted;
     }
 }

@@ -133,8 +133,9 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             return;
         }
 
-        FlightPath[] sorted = [.. flights.OrderBy(flight => flight.Rms)];
-        _most = Odd * sorted[sorted.Length / 2].Rms;
+        double[] sorted = [.. flights.Select(flight => flight.Rms)];
+        Array.Sort(sorted);
+        _most = Odd * sorted[sorted.Length / 2];
         double squares = 0;
         int points = 0;
         foreach (FlightPath flight in flights)
@@ -308,7 +309,8 @@ internal sealed class MatchDoubts(Scene scene, MatchFitRequest request, FlightEq
             foreach (FlightPath flight in part)
             {
                 flight.Covariance = (double[])flight.Covariance.Clone();
-                flight.Values = [.. flight.Values.Take(6), 0, 0, 0];
+                flight.Values = (double[])flight.Values.Clone();
+                Array.Clear(flight.Values, 6, 3);
             }
 
             double[] weights = SharedFit.Shares(part);

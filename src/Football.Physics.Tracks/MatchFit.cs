@@ -234,7 +234,8 @@ public sealed class MatchFit
             return rigid;
         }
 
-        double[] inflations = [.. flights.Select(rigid.Inflation).OrderBy(value => value)];
+        double[] inflations = [.. flights.Select(rigid.Inflation)];
+        Array.Sort(inflations);
         double least = Math.Max(LawShare * rigid.Cost, LawGain * Math.Max(1, inflations[inflations.Length / 2]));
         double[] shares = SharedFit.Shares(flights);
         double[][] launches = [.. flights.Select(flight => (double[])flight.Values.Clone())];

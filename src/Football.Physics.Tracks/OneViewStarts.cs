@@ -31,9 +31,18 @@ internal static class OneViewStarts
             spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
         }
 
-        foreach (double[]? start in spins.Select(spin => (Values: seen.Start(launch, in spin, scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(Tried).Select(start => start.Values))
+        var starts = new double[]?[spins.Count];
+        double[] costs = new double[spins.Count];
+        for (int i = 0; i < starts.Length; i++)
         {
-            yield return start;
+            Vector3d spin = spins[i];
+            starts[i] = seen.Start(launch, in spin, scene, out costs[i]);
+        }
+
+        Array.Sort(costs, starts);
+        for (int i = 0; i < Tried; i++)
+        {
+            yield return starts[i];
         }
     }
 

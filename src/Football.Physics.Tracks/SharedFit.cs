@@ -196,9 +196,9 @@ internal sealed class SharedFit
                 spread[((6 + k) * _size) + 6 + k] += known.Along(k);
             }
 
-            foreach ((int parameter, double doubt) in Doubts)
+            foreach (Doubt doubt in Doubts)
             {
-                AddDoubt(parameter, doubt, normal, spread);
+                AddDoubt(doubt.Parameter, doubt.Deviation, normal, spread);
             }
 
             scores[f] = new FlightScore(_shared, normal, gradient, spread, shares[f]);
@@ -215,19 +215,24 @@ internal sealed class SharedFit
     }
 
     /// <summary>The common parameters that differ from flight to flight, and their deviations.</summary>
-    public IEnumerable<(int Parameter, double Deviation)> Doubts
+    public Doubt[] Doubts
     {
         get
         {
-            if (DragDoubt > 0 && _model.DragAt >= 0)
+            bool drag = DragDoubt > 0 && _model.DragAt >= 0;
+            bool lift = LiftDoubt > 0 && _model.LiftAt >= 0;
+            var doubts = new Doubt[(drag ? 1 : 0) + (lift ? 1 : 0)];
+            if (lift)
             {
-                yield return (_model.DragAt, DragDoubt * Values[_model.DragAt]);
+                doubts[doubts.Length - 1] = new Doubt(_model.LiftAt, LiftDoubt * Values[_model.LiftAt]);
             }
 
-            if (LiftDoubt > 0 && _model.LiftAt >= 0)
+            if (drag)
             {
-                yield return (_model.LiftAt, LiftDoubt * Values[_model.LiftAt]);
+                doubts[0] = new Doubt(_model.DragAt, DragDoubt * Values[_model.DragAt]);
             }
+
+            return doubts;
         }
     }
 
@@ -446,5 +451,13 @@ internal sealed class SharedFit
         }
 
         return ResidualVariance.Of(misses, 3, Launch, _system.Noise * _system.Noise, out misfit);
+    }
+
+    /// <summary>A common parameter that differs from flight to flight, and its standard deviation.</summary>
+    public readonly struct Doubt(int parameter, double deviation)
+    {
+        public int Parameter => parameter;
+
+        public double Deviation => deviation;
     }
 }

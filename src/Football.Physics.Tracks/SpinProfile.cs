@@ -28,7 +28,7 @@ internal sealed class SpinProfile
     /// <summary>The difference for derivatives by the velocity, in m/s.</summary>
     private const double VelocityStep = 0.02;
 
-    private readonly (int Parameter, double Deviation)[] _doubts;
+    private readonly SharedFit.Doubt[] _doubts;
     private readonly double[] _values = new double[FlightPath.Launch];
     private readonly double[] _change = new double[FlightPath.Launch];
     private readonly double[] _inverse;
@@ -47,7 +47,7 @@ internal sealed class SpinProfile
     public SpinProfile(FlightEquations equations, SharedFit fit)
     {
         (_equations, _fit) = (equations, fit);
-        _doubts = [.. fit.Doubts];
+        _doubts = fit.Doubts;
         _free = Motion + _doubts.Length;
         _slopes = new Vector3d[_free - 3][];
         _inverse = new double[_free * _free];
@@ -76,7 +76,11 @@ internal sealed class SpinProfile
                 if (cost < lowest)
                 {
                     lowest = cost;
-                    best = [.. kept.Select((value, i) => value + _change[i])];
+                    best = (double[])kept.Clone();
+                    for (int i = 0; i < best.Length; i++)
+                    {
+                        best[i] += _change[i];
+                    }
                 }
             }
         }

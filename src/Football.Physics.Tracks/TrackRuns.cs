@@ -83,7 +83,12 @@ internal sealed class TrackRuns
     /// <summary>Returns the median wait, and computes the mean wait without long ones. The mean is larger if points are missing.</summary>
     private static double UsualWait(TrackPoint[] track, out double mean)
     {
-        double[] waits = [.. track.Skip(1).Select((point, i) => point.Time - track[i].Time)];
+        double[] waits = new double[track.Length - 1];
+        for (int i = 0; i < waits.Length; i++)
+        {
+            waits[i] = track[i + 1].Time - track[i].Time;
+        }
+
         Array.Sort(waits);
         double median = waits[waits.Length / 2];
         double sum = 0;
