@@ -196,7 +196,7 @@ internal sealed class SharedFit
                 spread[((6 + k) * _size) + 6 + k] += known.Along(k);
             }
 
-            foreach (Doubt doubt in Doubts)
+            foreach (ParameterDoubt doubt in Doubts)
             {
                 AddDoubt(doubt.Parameter, doubt.Deviation, normal, spread);
             }
@@ -215,24 +215,13 @@ internal sealed class SharedFit
     }
 
     /// <summary>The common parameters that differ from flight to flight, and their deviations.</summary>
-    public Doubt[] Doubts
+    public ParameterDoubt[] Doubts
     {
         get
         {
-            bool drag = DragDoubt > 0 && _model.DragAt >= 0;
-            bool lift = LiftDoubt > 0 && _model.LiftAt >= 0;
-            var doubts = new Doubt[(drag ? 1 : 0) + (lift ? 1 : 0)];
-            if (lift)
-            {
-                doubts[doubts.Length - 1] = new Doubt(_model.LiftAt, LiftDoubt * Values[_model.LiftAt]);
-            }
-
-            if (drag)
-            {
-                doubts[0] = new Doubt(_model.DragAt, DragDoubt * Values[_model.DragAt]);
-            }
-
-            return doubts;
+            ParameterDoubt[] drag = DragDoubt > 0 && _model.DragAt >= 0 ? [new(_model.DragAt, DragDoubt * Values[_model.DragAt])] : [];
+            ParameterDoubt[] lift = LiftDoubt > 0 && _model.LiftAt >= 0 ? [new(_model.LiftAt, LiftDoubt * Values[_model.LiftAt])] : [];
+            return [.. drag, .. lift];
         }
     }
 
@@ -451,13 +440,5 @@ internal sealed class SharedFit
         }
 
         return ResidualVariance.Of(misses, 3, Launch, _system.Noise * _system.Noise, out misfit);
-    }
-
-    /// <summary>A common parameter that differs from flight to flight, and its standard deviation.</summary>
-    public readonly struct Doubt(int parameter, double deviation)
-    {
-        public int Parameter => parameter;
-
-        public double Deviation => deviation;
     }
 }

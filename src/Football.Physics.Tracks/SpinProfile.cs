@@ -28,7 +28,7 @@ internal sealed class SpinProfile
     /// <summary>The difference for derivatives by the velocity, in m/s.</summary>
     private const double VelocityStep = 0.02;
 
-    private readonly SharedFit.Doubt[] _doubts;
+    private readonly ParameterDoubt[] _doubts;
     private readonly double[] _values = new double[FlightPath.Launch];
     private readonly double[] _change = new double[FlightPath.Launch];
     private readonly double[] _inverse;
